@@ -16,7 +16,7 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 use crate::fit_and_plan;
-use crate::identification::findings::EstimateResult;
+use crate::identification::findings::{EstimateResult, WarningResult};
 use crate::identification::result::FitResult;
 
 /// Name of the file in a folder of results.
@@ -60,6 +60,8 @@ pub struct EachCurve {
     pub misfit_p: Option<f64>,
     /// Why there is no result, the likely cause of a misfit, or why an interval is open.
     pub cause: Option<String>,
+    /// The warnings of its fit.
+    pub warnings: Vec<WarningResult>,
 }
 
 impl EachResult {
@@ -118,6 +120,7 @@ impl EachCurve {
                     cause: cause(&found),
                     misfit_p: Some(found.fit.misfit_p),
                     unknowns: found.unknowns,
+                    warnings: found.warnings,
                 })
             }
             Err(failure) => Some(Self::failed(&path, &failure)),
@@ -133,6 +136,7 @@ impl EachCurve {
             unknowns: Vec::new(),
             misfit_p: None,
             cause: Some(cause.split_whitespace().collect::<Vec<_>>().join(" ")),
+            warnings: Vec::new(),
         }
     }
 }

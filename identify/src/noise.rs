@@ -90,6 +90,13 @@ impl NoiseLevels {
         noise.check()
     }
 
+    /// How many neighbouring points count as one in a long mean: `1 + 2 (1 − w) φ/(1 − φ)`.
+    #[must_use]
+    pub fn dependence(&self) -> f64 {
+        let persistence = self.persistence;
+        1.0 + 2.0 * (1.0 - self.white_fraction) * persistence / (1.0 - persistence)
+    }
+
     /// The effective variance `σ_D² + (ρ y)² + (∂y/∂Q)² σ_Q²` of a point with this value and slope.
     #[must_use]
     pub fn variance(&self, value: f64, slope: f64) -> f64 {

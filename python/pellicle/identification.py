@@ -172,9 +172,14 @@ class EachCurve(Result):
     @property
     def curves(self) -> list[dict[str, Any]]:
         """The curves in their order: `file`, `position`, `verdict` (`"failed"` for one that could not be fitted),
-        `unknowns`, `misfit_p` and the `cause` of a failure or misfit."""
+        `unknowns`, `misfit_p`, the `cause` of a failure or misfit, and the `warnings` of its fit."""
         curves: list[dict[str, Any]] = self._found["curves"]
         return curves
+
+    @cached_property
+    def warnings(self) -> list[ResultWarning]:
+        """Warnings about the curves, in their order."""
+        return [ResultWarning(**warning) for curve in self.curves for warning in curve["warnings"]]
 
     @cached_property
     def table(self) -> Curve:

@@ -3,7 +3,7 @@
 use pellicle::display::{count, significant};
 
 use super::{EachCurve, EachResult};
-use crate::identification::findings::EstimateResult;
+use crate::identification::findings::{EstimateResult, WarningResult};
 use crate::identification::units;
 
 /// So many curves are listed; more are in the table.
@@ -66,6 +66,34 @@ fn median(fitted: &[&EachCurve], index: usize) -> String {
         number(first),
         number(third)
     )
+}
+
+/// The warnings of fitted curves, each kind once: in the words of the first curve that has it.
+#[must_use]
+pub fn warnings(result: &EachResult) -> Vec<String> {
+    let fitted = (result.curves.iter()).filter(|curve| curve.verdict == "fitted");
+    let mut kinds: Vec<(&WarningResult, &EachCurve, usize)> = Vec::new();
+    for curve in fitted {
+        for warning in &curve.warnings {
+            match (kinds.iter_mut()).find(|(known, ..)| known.code == warning.code) {
+                Some((.., curves)) => *curves += 1,
+                None => kinds.push((warning, curve, 1)),
+            }
+        }
+    }
+    let all = result.count("fitted");
+    let sentence = |(warning, curve, curves): (&WarningResult, &EachCurve, usize)| {
+        if curves == all {
+            warning.message.clone()
+        } else {
+            let curves = count(curves, "fitted curve");
+            format!(
+                "{curves} of {all}, {} first: {}",
+                curve.file, warning.message
+            )
+        }
+    };
+    kinds.into_iter().map(sentence).collect()
 }
 
 /// How many curves have which verdict.
@@ -147,6 +175,7 @@ mod tests {
             }],
             misfit_p: None,
             cause: None,
+            warnings: Vec::new(),
         };
         let closed = curve(3.0, [Some(2.0), Some(4.0)]);
         let open = curve(1e-3, [None, Some(4.0)]);
@@ -156,6 +185,36 @@ mod tests {
         assert_eq!(line, wanted);
         // None is left: no median.
         assert_eq!(median(&[&open], 0), "");
+    }
+
+    #[test]
+    fn a_warning_of_some_curves_names_the_first_and_that_of_all_none() {
+        let warning = |code: &str| WarningResult {
+            code: code.into(),
+            message: format!("{code} happened"),
+        };
+        let curve = |file: &str, codes: &[&str]| EachCurve {
+            file: file.into(),
+            position: None,
+            verdict: "fitted".into(),
+            unknowns: Vec::new(),
+            misfit_p: None,
+            cause: None,
+            warnings: codes.iter().map(|code| warning(code)).collect(),
+        };
+        let result = EachResult {
+            schema: crate::each::SCHEMA,
+            program: "pellicle",
+            version: "0",
+            title: String::new(),
+            curves: vec![curve("a.txt", &["this"]), curve("b.txt", &["this", "that"])],
+            not_begun: 0,
+        };
+        let wanted = [
+            "this happened",
+            "1 fitted curve of 2, b.txt first: that happened",
+        ];
+        assert_eq!(warnings(&result), wanted);
     }
 
     #[test]

@@ -44,6 +44,14 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
             );
             warn("exponent-at-bound", message);
         }
+        let begun = curve.map_or(0.0, begun);
+        if begun > BEGUN {
+            let message = format!(
+                "the file begins at {} % of its largest force, without the loading: a larger force before it is not known,                  nor are works, and the depth and hardness at the largest force would be others",
+                significant(100.0 * begun, 2)
+            );
+            warn("unloading-alone", message);
+        }
         let hold = curve.and_then(|curve| curve.drift.as_ref());
         if let Some(hold) = hold.filter(|hold| hold.bends()) {
             let [one, other] = hold.halves.map(|half| significant(half.value * 1e9, 2));
@@ -77,6 +85,16 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
     found.extend(without_drift(curves, settings));
     found.extend(pile_up(curves));
     found
+}
+
+/// A curve of which no smaller part of the largest force comes before it has no loading.
+const BEGUN: f64 = 0.5;
+
+/// The least force of the loading over the largest.
+fn begun(curve: &EvaluatedCurve) -> f64 {
+    let loading = &curve.force[..=curve.phases.top.start];
+    let least = loading.iter().copied().fold(f64::INFINITY, f64::min);
+    least / curve.unloading.force
 }
 
 /// A loading begins elsewhere than at zero if it does so by more than this part of the contact depth, which changes a

@@ -192,7 +192,22 @@ fn table(text: &str) -> Result<(TextOptions, TextTable<'_>), CurveError> {
 
 fn guesses(table: &TextTable<'_>, options: &TextOptions) -> Option<Vec<ColumnGuess>> {
     if !table.header.is_empty() {
-        return Some(column_guess::of_header(&table.header));
+        let holds_number = |place: usize| {
+            let number = |row: &&str| {
+                let fields = table.separator.fields(row);
+                (fields.get(place)).is_some_and(|field| options.decimal.number(field).is_some())
+            };
+            table.rows.iter().any(number)
+        };
+        // Instruments write columns of what they did not measure.
+        let named = table.header.iter().enumerate().map(|(place, head)| {
+            if holds_number(place) {
+                head.clone()
+            } else {
+                HeaderField::new("")
+            }
+        });
+        return Some(column_guess::of_header(&named.collect::<Vec<_>>()));
     }
     let mut columns = vec![Vec::with_capacity(table.rows.len()); table.columns];
     for row in &table.rows {

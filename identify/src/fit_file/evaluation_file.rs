@@ -231,14 +231,16 @@ impl EvaluatedFile {
             let mut largest = 0.0;
             for (cycle, peak) in peaks.iter().enumerate() {
                 let force = curve.force[*peak];
-                if force < largest || *peak >= curve.phases.top.start {
-                    continue;
-                }
-                largest = (1.0 + BEYOND) * force;
                 let next = peaks.get(cycle + 1).copied().unwrap_or(curve.force.len());
                 let lowest =
                     (*peak..next).min_by(|a, b| curve.force[*a].total_cmp(&curve.force[*b]));
-                let measured = measured.up_to(lowest.unwrap_or(*peak) + 1);
+                let lowest = lowest.unwrap_or(*peak);
+                // The largest cycle is the curve itself, wherever noise puts its peak.
+                if force < largest || lowest >= curve.phases.top.start {
+                    continue;
+                }
+                largest = (1.0 + BEYOND) * force;
+                let measured = measured.up_to(lowest + 1);
                 files.push(Self {
                     table,
                     evaluated: Self::of(&measured, &settings),

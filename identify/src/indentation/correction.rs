@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{IndentationError, Uncertain};
-use crate::measured::before_contact::dependence;
+use crate::measured::before_contact::{MOST_PERSISTENT, dependence};
 use crate::orthonormal_basis::{OrthonormalBasis, dot};
 
 /// The first part of a hold is left out: there the body still recovers.
@@ -35,7 +35,7 @@ impl DriftHold {
         let rate = |from: f64, to: f64| {
             let chosen = points.clone().filter(|at| (from..=to).contains(&time[*at]));
             let (t, h): (Vec<f64>, Vec<f64>) = chosen.map(|at| (time[at], depth[at])).unzip();
-            Line::through(&t, &h)
+            Line::through(&t, &h, None)
                 .map(|line| line.slope)
                 .ok_or(IndentationError::NoHold)
         };
@@ -57,6 +57,16 @@ impl DriftHold {
     }
 }
 
+/// How many neighbours count as one, `(1 + φ)/(1 − φ)`, of as many as `n` residuals of a line tell: their correlation φ
+/// is too small by `(1 + 4 φ)/n`. After F. H. C. Marriott and J. A. Pope, Biometrika 41, 390 (1954), who have 3 φ for a
+/// mean.
+fn unbiased(told: f64, n: usize) -> f64 {
+    let correlation = (told - 1.0) / (told + 1.0);
+    let correlation = correlation + (1.0 + 4.0 * correlation) / n as f64;
+    let correlation = correlation.min(MOST_PERSISTENT);
+    (1.0 + correlation) / (1.0 - correlation)
+}
+
 /// A straight line through points.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Line {
@@ -67,8 +77,9 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// The line of least squares; neighbouring points may be correlated. None for too few points.
-    pub(super) fn through(x: &[f64], y: &[f64]) -> Option<Self> {
+    /// The line of least squares; so many neighbouring points count as one, as many as the residuals tell if that is
+    /// not known. None for too few points.
+    pub(super) fn through(x: &[f64], y: &[f64], known: Option<f64>) -> Option<Self> {
         if x.len() < FEWEST_POINTS {
             return None;
         }
@@ -80,7 +91,8 @@ impl Line {
         let [value, slope] = basis.coefficients(&components)[..] else {
             return None;
         };
-        let variance = dot(&rest, &rest) / (x.len() as f64 - 2.0) * dependence(&rest);
+        let dependence = known.unwrap_or_else(|| unbiased(dependence(&rest), x.len()));
+        let variance = dot(&rest, &rest) / (x.len() as f64 - 2.0) * dependence;
         let covariance = basis.inverse_gram();
         let with_sd = |value: f64, k: usize| Uncertain {
             value,

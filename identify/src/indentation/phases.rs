@@ -56,7 +56,7 @@ pub(super) fn phases(
     let end = smooth.iter().rposition(near).unwrap_or(0);
     let below = |f: &f64| *f < (1.0 - 4.0 * NEAR_LARGEST) * largest;
     let start = smooth[..end].iter().rposition(below).map_or(0, |at| at + 1);
-    let (top, is_held) = hold(force, start..end + 1, largest);
+    let (top, is_held) = hold(force, start..end + 1, [largest, part[1] * largest]);
     let level = if is_held {
         median(&force[top.clone()])
     } else {
@@ -93,14 +93,16 @@ pub(super) fn phases(
     })
 }
 
-/// The hold within the neighbourhood of the largest force; without one the point of that force.
-fn hold(force: &[f64], near: Range<usize>, largest: f64) -> (Range<usize>, bool) {
+/// The hold within the neighbourhood of the largest force, before an unloading to the lowest; without a hold the point
+/// of the largest force. Below, the steps may be those of a hold for the drift.
+fn hold(force: &[f64], near: Range<usize>, [largest, lowest]: [f64; 2]) -> (Range<usize>, bool) {
     let peak = near
         .clone()
         .max_by(|a, b| force[*a].total_cmp(&force[*b]))
         .unwrap_or(near.start);
     let after = &force[near.end..];
-    let steps = after
+    let unloaded = after.iter().position(|force| *force < lowest);
+    let steps = after[..unloaded.unwrap_or(after.len())]
         .windows(2)
         .map(|pair| pair[0] - pair[1])
         .filter(|step| *step > 0.0);

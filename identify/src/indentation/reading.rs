@@ -15,8 +15,6 @@ use crate::measured::cycles::median;
 
 /// The depth at the end of a hold is that of the line through the last of so many parts of it.
 const END_OF_HOLD: usize = 3;
-/// The depth at its beginning is the mean of so many points.
-const BEGINNING: usize = 3;
 
 /// What is read from a curve at given corrections.
 #[derive(Debug, Clone)]
@@ -27,6 +25,8 @@ pub(super) struct Reading {
     is_held: bool,
     /// Work of loading and hold, and of the unloading as far as it was measured, J.
     work: [Uncertain; 2],
+    /// Change of both by one standard deviation of the depth between them, J.
+    work_at_top: f64,
     /// The force at which the unloading ends, N.
     last_force: f64,
 }
@@ -44,22 +44,22 @@ impl Reading {
         let fitted = phases.fitted.clone();
         let unloading = UnloadingFit::of(&depth[fitted.clone()], &force[fitted], largest)?;
         let noise = unloading.noise;
-        let single = |value: f64, points: f64| Uncertain {
-            value,
-            sd: noise / points.sqrt(),
-        };
         let (end, beginning) = if phases.is_held {
             let first = top.end - top.len().div_ceil(END_OF_HOLD);
             let places: Vec<f64> = (first..top.end).map(|at| at as f64).collect();
-            let line = Line::through(&places, &depth[first..top.end]);
-            let count = BEGINNING.min(top.len());
-            let mean = depth[top.start..top.start + count].iter().sum::<f64>() / count as f64;
-            (
-                line.map_or(single(depth[top.end - 1], 1.0), |line| line.last),
-                single(mean, count as f64),
-            )
+            let line = Line::through(&places, &depth[first..top.end], Some(unloading.dependence));
+            let end = line.map_or(depth[top.end - 1], |line| line.last.value);
+            let sd = line.map_or(noise, |line| line.last.sd.min(noise));
+            // The hold begins within a step of its first point, and creep is fastest there.
+            let step = depth[(top.start + 1).min(top.end - 1)] - depth[top.start];
+            let beginning = Uncertain {
+                value: depth[top.start],
+                sd: noise.hypot(0.5 * step),
+            };
+            (Uncertain { value: end, sd }, beginning)
         } else {
-            let at = single(depth[top.start], 1.0);
+            let value = depth[top.start];
+            let at = Uncertain { value, sd: noise };
             (at, at)
         };
         let work = |range: Range<usize>| {
@@ -68,14 +68,14 @@ impl Reading {
             let value = strips
                 .map(|(h, p)| 0.5 * (p[0] + p[1]) * (h[1] - h[0]))
                 .sum::<f64>();
-            // Each depth enters with half the difference of its neighbours' forces.
+            // Each depth but the first and the last enters with half the difference of its neighbours' forces.
             let weights = force
                 .windows(3)
                 .map(|p| (0.5 * (p[2] - p[0])).powi(2))
                 .sum::<f64>();
             Uncertain {
                 value,
-                sd: noise * weights.sqrt(),
+                sd: noise * (weights * unloading.dependence).sqrt(),
             }
         };
         let first = curve.first_contact.unwrap_or(0);
@@ -92,12 +92,13 @@ impl Reading {
                     ..back
                 },
             ],
+            work_at_top: noise * force[top.end - 1],
             last_force: force[phases.end].max(0.0),
         })
     }
 
     /// The independent directions of the noise, each one standard deviation long: of `S`, `m`, `h₁`, both depths of the
-    /// hold, both works.
+    /// hold, both works, and of the depth between these.
     pub(super) fn noise(&self) -> Vec<[f64; 7]> {
         let triangle = cholesky(self.unloading.covariance);
         let mut directions: Vec<[f64; 7]> = (0..3)
@@ -112,6 +113,8 @@ impl Reading {
             direction[3 + k] = uncertain.sd;
             directions.push(direction);
         }
+        let both = self.work_at_top;
+        directions.push([0.0, 0.0, 0.0, 0.0, 0.0, both, both]);
         directions
     }
 

@@ -41,6 +41,8 @@ pub struct UnloadingFit {
     pub covariance: [[f64; 3]; 3],
     /// Standard deviation of a single depth about the law, m.
     pub noise: f64,
+    /// How many neighbouring depths count as one.
+    pub dependence: f64,
     /// Whether the exponent is at a bound, or held there because the noise has carried it beyond.
     pub is_at_bound: bool,
 }
@@ -167,6 +169,7 @@ impl UnloadingFit {
             depth,
             covariance: [0, 1, 2].map(|i| [0, 1, 2].map(|j| entry(i, j))),
             noise: fit.noise.observed,
+            dependence: fit.noise.dependence(),
             is_at_bound: false,
         })
     }

@@ -47,7 +47,7 @@ const EXPONENTS: [f64; 3] = [1.0, 1.5, 2.0];
 /// a cantilever half as soft as the contact it begins a fifth of the stretch before.
 const GUARDS: [f64; 5] = [0.1, 0.2, 0.3, 0.4, 0.5];
 /// A larger correlation of neighbours cannot be told from a bend.
-const MOST_PERSISTENT: f64 = 0.95;
+pub(crate) const MOST_PERSISTENT: f64 = 0.95;
 /// A stretch has at least so many points.
 pub(super) const FEWEST_POINTS: usize = 10;
 /// A stretch shows itself if it is at least this fraction of the length in contact,

@@ -195,6 +195,14 @@ fn columns_of_an_extension_and_a_retraction_in_volts_are_those_of_the_extension(
 }
 
 #[test]
+fn a_column_without_numbers_is_not_chosen() {
+    let row = |z: f64, v: f64| format!("{z}\t{v}\t");
+    let text = drafted_volts("Zsensor (nm)\tDeflection (V)\tForce (nN)", row);
+    let wanted = "columns = { height = \"Zsensor (nm)\", deflection = \"Deflection (V)\" }";
+    assert!(text.contains(wanted), "{text}");
+}
+
+#[test]
 fn eight_repeats_on_tungsten_are_one_pattern() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/curves");
     let file = |k: usize| folder.join(format!("tungsten_sphere_test0{k}.csv"));

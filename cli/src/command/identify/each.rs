@@ -71,6 +71,7 @@ pub fn each(arguments: &IdentifyArguments) -> Result<Outcome, Failure> {
         }
     }
     if !arguments.quiet {
+        warnings.extend(text::warnings(&result));
         warnings
             .iter()
             .for_each(|warning| terminal::report(&format!("warning: {warning}")));
