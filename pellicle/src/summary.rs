@@ -272,14 +272,18 @@ impl RunSummary {
         }
     }
 
-    /// Adds the stresses that were found, and warnings about those that the grid does not resolve.
+    /// Adds the stresses that were found, and warnings about those that the grid does not resolve; a path on a single
+    /// grid, which has no error bars, has its own.
     pub fn add_stresses(&mut self, stress: &StressCase, found: Stresses) {
         let of_steps = found.steps.iter().enumerate();
         let of_steps =
             of_steps.filter_map(|(step, extremes)| UnresolvedStresses::of_step(step, extremes));
         let critical = found.critical.as_deref().unwrap_or_default();
-        let unresolved = of_steps.chain(UnresolvedStresses::of_critical(critical, &found.steps));
-        self.warnings.extend(unresolved.map(WarningSummary::from));
+        let unresolved = of_steps.chain(UnresolvedStresses::of_critical(critical));
+        let is_single = |step: &StepSummary| step.grid_error.levels.len() == 1;
+        if !self.steps.iter().any(is_single) {
+            self.warnings.extend(unresolved.map(WarningSummary::from));
+        }
         for (step, extremes) in self.steps.iter_mut().zip(found.steps) {
             step.stress = Some(StressSummary {
                 friction: stress.friction,

@@ -130,9 +130,8 @@ pub(crate) fn warnings(
     let much_larger = is_free
         .then(|| much_larger(model, grid, loads, steps))
         .flatten();
-    // For a contact that the grid hardly resolves, its numbers are meaningless and the edge is the estimated one.
+    // The edge of a contact that the grid hardly resolves is the estimated one.
     let is_meaningful = |warning: &Warning| match (&much_larger, warning) {
-        (Some(_), Warning::PeakNotResolved { .. } | Warning::NotResolved { .. }) => false,
         (Some(Warning::DomainMuchLarger { radius, .. }), Warning::SteepIndenter { .. }) => {
             model.indenter.mean_slope(*radius) > LARGEST_SLOPE
         }

@@ -141,11 +141,15 @@ impl<'a> ModelLimits<'a> {
         })
     }
 
-    /// Whether a body's surface in contact is the other's, which does not deform, so that its displacement is known.
+    /// Whether a body's surface in contact is the other's, which does not deform, so that its displacement is known, and
+    /// that of its layers with it: no interface yields.
     fn has_known_surface(&self, of: ElasticBody) -> bool {
+        let bodies = self.model.tables.bodies();
+        let mut layers = bodies.of(of).layers().iter();
         self.model.relief == Relief::Bare
             && self.boundary == Boundary::Free
-            && self.model.tables.bodies().of(of.other()).is_rigid()
+            && bodies.of(of.other()).is_rigid()
+            && layers.all(|layer| layer.interface().normal_compliance() <= 0.0)
     }
 
     /// The penetration over the radius of the indenter, of two the smaller, if that part of it is its own.

@@ -17,15 +17,11 @@ pub struct UnresolvedStresses {
 }
 
 impl UnresolvedStresses {
-    /// The extremes of a step that are not resolved; none on a single grid, which has no estimates.
+    /// The extremes of a step that are not resolved.
     #[must_use]
     pub fn of_step(step: usize, extremes: &StressExtremes) -> Option<Self> {
-        let all = named(extremes);
-        if !all.iter().any(has_estimate) {
-            return None;
-        }
         // A tension of 0 is the absence of one.
-        let unresolved = all
+        let unresolved = named(extremes)
             .into_iter()
             .filter(|(_, _, extreme)| !extreme.resolved && extreme.value != 0.0);
         let numbers: Vec<String> = unresolved
@@ -35,17 +31,9 @@ impl UnresolvedStresses {
         (!numbers.is_empty()).then_some(Self { step, numbers })
     }
 
-    /// The critical loads that are not resolved, including the stresses of strengths that are not reached; none on a
-    /// single grid.
+    /// The critical loads that are not resolved, including the stresses of strengths that are not reached.
     #[must_use]
-    pub fn of_critical(loads: &[CriticalLoad], extremes: &[StressExtremes]) -> Option<Self> {
-        if !extremes
-            .iter()
-            .flat_map(named)
-            .any(|named| has_estimate(&named))
-        {
-            return None;
-        }
+    pub fn of_critical(loads: &[CriticalLoad]) -> Option<Self> {
         let unresolved = loads
             .iter()
             .filter(|load| !load.resolved && load.utilisation != 0.0);
@@ -114,11 +102,6 @@ fn named(extremes: &StressExtremes) -> Vec<NamedExtreme> {
         .collect()
 }
 
-/// Whether an extreme has an estimate, which none has on a single grid.
-fn has_estimate((_, _, extreme): &NamedExtreme) -> bool {
-    extreme.estimate.is_some()
-}
-
 fn quantity(criterion: Criterion) -> &'static str {
     match criterion {
         Criterion::Yield => "yield",
@@ -133,12 +116,12 @@ mod tests {
     use crate::stress::body_extremes::{BodyStress, BodyUtilisation};
     use crate::stress::critical_load::CriticalStatus;
 
-    fn body(resolved: [bool; 4], estimate: Option<f64>) -> StressExtremes {
+    fn body(resolved: [bool; 4]) -> StressExtremes {
         let extreme = |resolved| Extreme {
             value: 1.0,
             at: [0.0; 3],
             resolved,
-            estimate,
+            estimate: Some(0.1),
         };
         StressExtremes {
             bodies: vec![BodyStress {
@@ -154,22 +137,14 @@ mod tests {
     }
 
     #[test]
-    fn unresolved_stresses_are_listed_by_name_but_not_on_a_single_grid() {
-        let found =
-            UnresolvedStresses::of_step(2, &body([true, false, true, false], Some(0.1))).unwrap();
+    fn unresolved_stresses_are_listed_by_name() {
+        let found = UnresolvedStresses::of_step(2, &body([true, false, true, false])).unwrap();
         assert_eq!(found.code(), "stress-not-resolved");
         assert_eq!(
             found.to_string(),
             "step 2: stresses are not resolved by the grid: max_principal of substrate, max_shear of substrate"
         );
-        assert_eq!(
-            UnresolvedStresses::of_step(0, &body([true; 4], Some(0.1))),
-            None
-        );
-        assert_eq!(
-            UnresolvedStresses::of_step(0, &body([false; 4], None)),
-            None
-        );
+        assert_eq!(UnresolvedStresses::of_step(0, &body([true; 4])), None);
     }
 
     #[test]
@@ -190,20 +165,12 @@ mod tests {
             load(Criterion::Yield, true),
             load(Criterion::Tension, false),
         ];
-        let extremes = [body([true; 4], Some(0.1))];
-        let found = UnresolvedStresses::of_critical(&loads, &extremes).unwrap();
+        let found = UnresolvedStresses::of_critical(&loads).unwrap();
         assert_eq!(found.code(), "critical-load-not-resolved");
         assert_eq!(
             found.to_string(),
             "critical loads are not resolved by the grid: tension of layer[0]"
         );
-        assert_eq!(
-            UnresolvedStresses::of_critical(&loads[..1], &extremes),
-            None
-        );
-        assert_eq!(
-            UnresolvedStresses::of_critical(&loads, &[body([true; 4], None)]),
-            None
-        );
+        assert_eq!(UnresolvedStresses::of_critical(&loads[..1]), None);
     }
 }

@@ -309,3 +309,19 @@ fn a_layer_that_keeps_its_volume_is_not_pressed_through_unseen() {
         );
     }
 }
+
+#[test]
+fn an_interface_that_closes_does_not_shorten_its_layer() {
+    // A sheet of glass of 1 µm on glue of 20 MPa, 20 µm thick, whose closing is its compliance times the pressure.
+    let glass = material(70e9, 0.2);
+    for base in [Base::HalfSpace(glass), Base::Rigid] {
+        let glue = Interface::spring(1e-12, 1e-12).unwrap();
+        let sheet = Layer::new(1e-6, glass, glue).unwrap();
+        let body = Foundation::new(vec![sheet], base).unwrap();
+        let ball = Sphere::new(100e-6).unwrap();
+        let path = solved(&body, ball, &[Load::Force(1e-3)]);
+        let step = &path.steps[0];
+        assert!(step.solution.penetration > 1e-6);
+        assert_eq!(step.status(), Status::Certified);
+    }
+}
