@@ -141,8 +141,8 @@ impl<'a> ModelLimits<'a> {
         })
     }
 
-    /// Whether a body's surface in contact is the other's, which does not deform, so that its displacement is known, and
-    /// that of its layers with it: no interface yields.
+    /// Whether a body's surface in contact is the other's, which does not deform, so that its displacement is known,
+    /// and that of its layers with it: no interface yields.
     fn has_known_surface(&self, of: ElasticBody) -> bool {
         let bodies = self.model.tables.bodies();
         let mut layers = bodies.of(of).layers().iter();

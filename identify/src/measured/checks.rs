@@ -1,5 +1,7 @@
 //! Checks of a curve before a fit: errors if it cannot be used, warnings if it is doubtful.
 
+use pellicle::display::count;
+
 use super::channel::Channel;
 use super::columns::ColumnUnit;
 use super::curve::{CurveWarning, MeasuredCurve};
@@ -85,11 +87,19 @@ pub(super) fn warnings(curve: &MeasuredCurve, data: &DataTable) -> Vec<CurveWarn
             format!("{points} points: too few to estimate their noise"),
         );
     }
-    let invalid = curve
-        .excluded
-        .iter()
-        .find(|e| e.reason == ExclusionReason::InvalidValue);
-    let invalid = invalid.map_or(0, |exclusion| exclusion.count);
+    let left_out = |reason: ExclusionReason| {
+        let found = curve.excluded.iter().find(|found| found.reason == reason);
+        found.map_or(0, |found| found.count)
+    };
+    let spikes = left_out(ExclusionReason::Spike);
+    if spikes > 0 {
+        let message = format!(
+            "{} with a force more than half above those beside it: left out as a spike",
+            count(spikes, "row")
+        );
+        warn("spike", message);
+    }
+    let invalid = left_out(ExclusionReason::InvalidValue);
     if invalid * 10 > curve.table_rows {
         let rows = curve.table_rows;
         warn(

@@ -9,6 +9,8 @@ pub enum ExclusionReason {
     InvalidValue,
     /// The fit file leaves the row out by its number.
     Omitted,
+    /// The force is far above those beside it.
+    Spike,
     /// The column of segments has another value.
     OtherSegment,
     /// The rows lie before the segment.
@@ -28,6 +30,7 @@ impl fmt::Display for ExclusionReason {
         f.write_str(match self {
             Self::InvalidValue => "invalid value",
             Self::Omitted => "omitted row",
+            Self::Spike => "spike of the force",
             Self::OtherSegment => "other segment",
             Self::BeforeSegment => "before the segment",
             Self::AfterSegment => "after the segment",
@@ -58,7 +61,7 @@ pub(crate) struct KeptRows {
 
 impl KeptRows {
     /// Keeps the rows for which `keep` is true.
-    pub(crate) fn retain(&mut self, reason: ExclusionReason, keep: impl Fn(usize) -> bool) {
+    pub(crate) fn retain(&mut self, reason: ExclusionReason, mut keep: impl FnMut(usize) -> bool) {
         let before = self.rows.len();
         self.rows.retain(|row| keep(*row));
         self.count(reason, before - self.rows.len());

@@ -3,12 +3,12 @@
 use super::channel::Channel;
 use super::curve::CurveWarning;
 use super::curve_segment::{Branch, CurveSegment, SegmentEnd, Until};
-use super::cycles::end_of_loading;
+use super::cycles::{end_of_loading, medians};
 use super::depth_step::DepthStep;
 use super::error::CurveError;
 use super::exclusion::ExclusionReason::{
     AfterDepthStep, AfterLargestForce, AfterSegment, BeforeLargestForce, BeforeSegment,
-    InvalidValue, Omitted, OtherSegment,
+    InvalidValue, Omitted, OtherSegment, Spike,
 };
 use super::exclusion::KeptRows;
 use super::raw_curve::RawCurve;
@@ -16,11 +16,19 @@ use super::raw_curve::RawCurve;
 /// An unloading given as a loading has its maximum force within the first 1/10 of its rows.
 const FRACTION_OF_UNLOADING: usize = 10;
 
+/// A force is a spike above so many times the median of it and its neighbours. A loading and unloading of three points
+/// each rise by less to their largest force.
+const SPIKE: f64 = 1.5;
+/// It is above this part of the largest of these medians: below, noise may be as large.
+const HIGH: f64 = 0.5;
+/// The fewest rows in which one is sought.
+const FEWEST_WITH_SPIKES: usize = 20;
+
 /// A file that begins on the way back begins and later rises above this part of its range of forces.
 const UPPER: f64 = 0.8;
 
 /// Returns the rows of the branch of a segment, without the omitted ones, which are numbered from 1. The criteria are,
-/// in this order: valid numbers, omitted rows, the value of the segment, its rows, markers and times, and its branch.
+/// in this order: valid numbers, omitted rows, spikes, the value of the segment, its rows, markers and times, and its branch.
 pub(crate) fn branch(
     raw: &RawCurve<'_>,
     segment: &CurveSegment,
@@ -42,6 +50,9 @@ pub(crate) fn branch(
         });
     }
     kept.retain(Omitted, |row| !omitted.contains(&(row + 1)));
+    if let Some(forces) = raw.values(Channel::Force) {
+        leave_out_spikes(&mut kept, forces);
+    }
     keep_value(&mut kept, raw, segment)?;
     keep_between_rows(&mut kept, raw, segment)?;
     if let Some(forces) = raw.values(Channel::Force) {
@@ -63,6 +74,21 @@ pub(crate) fn cut(
     if segment.until == Until::LargestDepthStep {
         keep_before_step(kept, raw, warnings);
     }
+}
+
+fn leave_out_spikes(kept: &mut KeptRows, forces: &[f64]) {
+    if kept.rows.len() < FEWEST_WITH_SPIKES {
+        return;
+    }
+    let of_rows: Vec<f64> = kept.rows.iter().map(|row| forces[*row]).collect();
+    let smooth = medians(&of_rows);
+    let (_, largest) = range(smooth.iter().copied());
+    let is_spike = |(force, median): (&f64, f64)| {
+        *force > SPIKE * median.abs() && *force > HIGH * largest.abs()
+    };
+    let spikes: Vec<bool> = of_rows.iter().zip(smooth).map(is_spike).collect();
+    let mut spikes = spikes.into_iter();
+    kept.retain(Spike, |_| spikes.next() != Some(true));
 }
 
 fn keep_value(

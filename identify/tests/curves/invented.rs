@@ -203,6 +203,18 @@ fn invalid_values_are_left_out_and_counted() {
 }
 
 #[test]
+fn a_spike_is_left_out_and_ends_no_loading() {
+    let mut lines: Vec<String> = rows(twenty().map(|depth| 2.0 * depth), " ", "\n")
+        .lines()
+        .map(str::to_owned)
+        .collect();
+    lines[11] = "23 2e3".into();
+    let curve = read(PLAIN, lines.join("\n").as_bytes()).unwrap();
+    assert_eq!((curve.rows.len(), codes(&curve)), (19, vec!["spike"]));
+    assert_eq!(excluded(&curve, ExclusionReason::Spike), 1);
+}
+
+#[test]
 fn swapped_columns_are_refused_by_name_and_warned_of_by_shape() {
     let text = format!("Load;Depth\n{}", rows(twenty(), ";", "\n"));
     assert_eq!(code(PLAIN, &text), "other-quantity");
