@@ -151,10 +151,10 @@ fn an_area_of_two_elements_across_is_not_resolved() {
     let side = 2.2 * wanted.semi_axes[0];
     let area = std::f64::consts::PI * wanted.semi_axes[0] * wanted.semi_axes[1];
     let mut resolved = 0;
-    for elements in [32, 64, 256, 512, 1024] {
-        let width = 2.0 * wanted.semi_axes[1] * f64::from(elements) / side;
+    for elements in [32_usize, 64, 256, 512, 1024] {
+        let width = 2.0 * wanted.semi_axes[1] * elements as f64 / side;
         let model = model([1e4, 1.0], &half_space(), Relief::Bare);
-        let path = solve(&model, Domain::Side(side), elements as usize);
+        let path = solve(&model, Domain::Side(side), elements);
         let step = &path.steps[0];
         let error = step.grid_error.contact_area.unwrap();
         let off = (step.summary.contact_area - area).abs();

@@ -28,7 +28,8 @@ const FEWEST_WITH_SPIKES: usize = 20;
 const UPPER: f64 = 0.8;
 
 /// Returns the rows of the branch of a segment, without the omitted ones, which are numbered from 1. The criteria are,
-/// in this order: valid numbers, omitted rows, spikes, the value of the segment, its rows, markers and times, and its branch.
+/// in this order: valid numbers, omitted rows, spikes, the value of the segment, its rows, markers and times, and its
+/// branch.
 pub(crate) fn branch(
     raw: &RawCurve<'_>,
     segment: &CurveSegment,

@@ -198,12 +198,8 @@ impl fmt::Display for Warning {
             ),
             Self::NoGridError { elements } => no_grid_error(f, elements),
             Self::NotResolved { step, numbers } => {
-                let names: Vec<_> = numbers.each().map(GridNumber::name).collect();
-                let names = names.join(", ");
-                write!(
-                    f,
-                    "step {step}: not resolved by the grid, the ± may be too small: {names}"
-                )
+                let names = numbers.each().map(GridNumber::name);
+                not_resolved(f, step, &names.collect::<Vec<_>>())
             }
             Self::ArcUnderResolved(arc) => under_resolved_arc(f, arc),
             Self::SteepIndenter { step, slope } => {
@@ -250,6 +246,15 @@ fn under_resolved_arc(f: &mut fmt::Formatter<'_>, arc: UnresolvedArc) -> fmt::Re
     write!(
         f,
         "the arc at an edge of the relief is {elements} elements wide: a largest pressure there grows with the grid; at least {FEWEST_ELEMENTS_PER_ARC} resolve it, which are {wanted} elements per side"
+    )
+}
+
+/// The sentence on numbers that a grid does not resolve.
+fn not_resolved(f: &mut fmt::Formatter<'_>, step: usize, names: &[&str]) -> fmt::Result {
+    let names = names.join(", ");
+    write!(
+        f,
+        "step {step}: not resolved by the grid, the ± may be too small: {names}"
     )
 }
 
