@@ -3,13 +3,17 @@
 use pellicle::display::significant;
 use pellicle_identify::fit_file::nuisance::FORCE_ZERO;
 use pellicle_identify::measured::baseline::BeforeContactRows;
-use pellicle_identify::{Fit, FitVerdict, FitWarning, Observable, Prediction, explained};
+use pellicle_identify::{Amount, Fit, FitVerdict, FitWarning, Observable, Prediction, explained};
 
 use super::findings::WarningResult;
 use super::{Identification, observe, units};
 
 /// A cause is named if it explains more than this part of the misfit.
 const MOST_OF_IT: f64 = 0.5;
+
+/// The noise is that of the force if it makes the residuals so much more likely, as a difference of logarithms: a factor
+/// of 150.
+const CLEARLY: f64 = 5.0;
 
 /// A possible cause: the change of the observable that it makes, and what to do.
 struct Cause {
@@ -19,7 +23,7 @@ struct Cause {
 
 impl Identification {
     /// A pull-off, and the likely cause of a misfit: of the zeros and the baseline the one that explains most of it, or
-    /// a bound that holds the best fit.
+    /// noise of the force that is taken for one of the depth, or a bound that holds the best fit.
     #[must_use]
     pub fn causes(&self, fit: &Fit) -> Vec<WarningResult> {
         let warning = |code: &str, message: String| WarningResult {
@@ -34,7 +38,10 @@ impl Identification {
         let unit = (fit.warnings.iter().any(is_at_bound)).then(|| {
             "a unit may be wrong: the best fit lies at a bound, where no value follows the curve".into()
         });
-        let cause = self.of_readings(fit).or(unit);
+        let cause = self
+            .of_readings(fit)
+            .or_else(|| self.of_noise(fit))
+            .or(unit);
         let cause = cause.map(|found| warning("likely-cause", found));
         adhesion.into_iter().chain(cause).collect()
     }
@@ -74,6 +81,32 @@ impl Identification {
             format!(
                 "{}: this would explain {percent} % of the misfit",
                 cause.advice
+            )
+        })
+    }
+
+    /// The noise of the force, where it describes residuals that are taken for noise of the depth.
+    fn of_noise(&self, fit: &Fit) -> Option<String> {
+        let is_estimated = self.problem.noise().observed == Amount::Estimated;
+        if !is_estimated || observe(&self.file) != Observable::DepthAtForce {
+            return None;
+        }
+        let slope = self.prediction_of(fit).ok()?.slope;
+        let points = || fit.points.residual.iter().zip(&slope);
+        let count = slope.len() as f64;
+        let rms = |squares: f64| (squares / count).sqrt();
+        let of_depth = rms(points().map(|(r, _)| r * r).sum());
+        let of_force = rms(points().map(|(r, slope)| (r / slope).powi(2)).sum());
+        // Each normal, the one with σ_D at every point, the other with σ_Q |∂D/∂Q|.
+        let slopes: f64 = slope.iter().map(|slope| slope.abs().ln()).sum();
+        let gain = count * (of_depth / of_force).ln() - slopes;
+        (gain > CLEARLY).then(|| {
+            let scale = units::scale(of_force, "N");
+            format!(
+                "the noise is that of the force, larger in depth where the curve is steep: \
+                 noise = {{ force = \"{} {}\" }} in [[data]] says so",
+                significant(of_force / scale.divisor, 2),
+                scale.label
             )
         })
     }

@@ -207,3 +207,34 @@ fn what_the_repeats_on_tungsten_have_in_common_is_a_misfit() {
         assert!(ran.stderr.contains("all 8 repeats lie"), "{}", ran.stderr);
     }
 }
+
+#[test]
+fn a_misfit_by_noise_of_the_force_taken_for_one_of_the_depth_names_it() {
+    // Depths from 1/50 of the largest: there ∂D/∂Q ∝ D^−½ makes the noise in depth seven times as large.
+    let (largest, sigma) = (4e-3, 1.2e-5);
+    let mut misfits = 0;
+    for seed in 0..12 {
+        let noise = (0..3).flat_map(|part| normals(100 * seed + part));
+        let rows = (1..).zip(noise).map(|(row, n)| {
+            let part = 0.02 + 0.98 * f64::from(row) / (3 * POINTS) as f64;
+            let force = largest * part.powf(1.5);
+            let depth = depth((force + sigma * n).max(0.0), 70e9);
+            format!("{},{}\n", 1e9 * depth, 1e3 * force)
+        });
+        let folder = TestFolder::new();
+        let table = format!("depth,force\n{}", rows.collect::<String>());
+        fs::write(folder.path("ball.csv"), table).unwrap();
+        let (ran, found) = fitted(&folder, &ball(""));
+        if found["verdict"] != "misfit" {
+            continue;
+        }
+        misfits += 1;
+        let advice = "noise = { force = \"";
+        let (_, told) = ran.stderr.split_once(advice).expect("the advice");
+        let (told, _) = told.split_once('"').expect("a force");
+        let told = format!("noise = {{ force = \"{told}\" }}");
+        let (_, found) = fitted(&folder, &ball(&told));
+        assert_eq!(found["verdict"], "fitted", "{told}");
+    }
+    assert!(misfits > 0);
+}

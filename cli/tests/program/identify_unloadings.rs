@@ -305,7 +305,7 @@ fn what_cannot_be_evaluated_is_told_in_one_sentence() {
         (
             off.replace("\"0 nm\"", "\"-9 um\""),
             SILICA,
-            "wanted a positive one: `area_function`",
+            "wanted a positive one: the area function",
         ),
         (
             off.replace("\"0 nm\"", "120"),

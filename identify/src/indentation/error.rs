@@ -49,8 +49,8 @@ pub enum IndentationError {
     NoContact,
     /// An area that is not positive.
     #[error(
-        "found an area of {area:.3e} m² at a contact depth of {depth:.4e} m, wanted a positive one: `area_function` does \
-         not hold there"
+        "found an area of {area:.3e} m² at a contact depth of {depth:.4e} m, wanted a positive one: the area function or \
+         the tip does not hold there"
     )]
     Area {
         /// Contact depth, m.

@@ -14,10 +14,11 @@ use crate::case::stress::StressCase;
 /// CPU time of each [term](SearchWork::terms) of a search, s, without and with friction. *Measured* on 0 to 8 layers,
 /// 64 to 1024 elements per side, all stresses and two of them, before the search became two to three times faster, then
 /// scaled as a whole: on six runs of one and eight layers, 256 to 1024 elements, forecasts are 0.9 to 1.8 times the
-/// time.
+/// time. The terms in layers are of graded layers, 102 to 652 in all, on 64 × 64 elements, with and without friction: they
+/// are 0.75 to 0.85 of the time.
 const SECONDS: [[f64; SearchWork::TERMS]; 2] = [
-    [0.0, 0.0, 4.7e-8, 3.0e-3, 0.0, 1.1e-7, 2.3e-6],
-    [0.0, 0.0, 1.1e-7, 2.9e-3, 2.7e-5, 2.4e-7, 4.0e-6],
+    [0.0, 1.2e-4, 4.7e-8, 3.0e-3, 1.2e-4, 1.1e-7, 2.3e-6],
+    [0.0, 1.2e-4, 1.1e-7, 2.9e-3, 1.2e-4, 2.4e-7, 4.0e-6],
 ];
 
 /// CPU time of a critical load: in searches of the whole body for its stress, and in solutions of the contact.
@@ -28,10 +29,10 @@ const PER_CRITICAL_LOAD: [f64; 2] = [1.5, 6.4];
 /// CPU time of a product with `K` for each element of the grid, s, on a quadrant: an estimate.
 const SECONDS_PER_PRODUCT: f64 = 3e-8;
 
-/// Memory of the functions of the distance of a plane and of a peak in a layered body, bytes. *Measured* as the largest
-/// resident sets of bodies of 2 to 8 layers on 64 × 64 and 256 × 256 elements, 35 to 103 MB; two of them are forecast
-/// 1.2 times too large.
-const BYTES_OF_FUNCTIONS: [f64; 2] = [3e5, 8e5];
+/// Memory of the functions of the distance of a plane or a peak in a layered body, bytes: of each, and of each for every
+/// layer. *Measured* as the largest resident sets on 64 × 64 elements: of 2 and 8 layers 26 and 55 MB, of 102 to 652
+/// sublayers of graded ones 113 to 683 MB, a run without stresses 17 MB.
+const BYTES_OF_FUNCTIONS: [f64; 2] = [2.5e5, 2.5e4];
 
 /// Memory of a place on a plane that is kept, and of one on the plane under computation, bytes.
 const BYTES_PER_PLACE: [f64; 2] = [24.0, 150.0];
@@ -112,10 +113,10 @@ fn seconds(work: &SearchWork, slides: usize) -> f64 {
 
 fn bytes(work: &SearchWork) -> f64 {
     let [kept, computed] = BYTES_PER_PLACE;
-    let [plane, peak] = BYTES_OF_FUNCTIONS;
-    let is_layered = work.planes_in_layers > 0.0;
-    let functions = if is_layered {
-        plane * work.planes + peak * work.peaks
+    let [each, in_layer] = BYTES_OF_FUNCTIONS;
+    let in_layers = work.planes_in_layers + work.peaks_in_layers;
+    let functions = if in_layers > 0.0 {
+        each * (work.planes + work.peaks) + in_layer * in_layers
     } else {
         0.0
     };
@@ -165,6 +166,10 @@ mod tests {
         assert!((ratio - 3.0).abs() < 1e-3, "{ratio}");
         let strong = cost("[stress]", &["foundation.layer.0.yield_strength=1"]).unwrap();
         assert!(strong.critical.is_some() && strong.total() > strong.extremes);
+        let modulus =
+            "foundation.layer.0.young_modulus={ from = 2, to = 200, profile = \"linear\" }";
+        let graded = cost("[stress]", &[modulus]).unwrap();
+        assert!(graded.bytes > 4.0 * all.bytes && graded.extremes > 4 * all.extremes);
         let fine = cost("[stress]", &["grid.elements=1024"]).unwrap();
         assert!(fine.extremes > all.extremes, "{fine:?} {all:?}");
     }
