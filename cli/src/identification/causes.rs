@@ -11,8 +11,8 @@ use super::{Identification, observe, units};
 /// A cause is named if it explains more than this part of the misfit.
 const MOST_OF_IT: f64 = 0.5;
 
-/// The noise is that of the force if it makes the residuals so much more likely, as a difference of logarithms: a factor
-/// of 150.
+/// The noise is that of the force if it makes the residuals so much more likely, as a difference of logarithms: a
+/// factor of 150.
 const CLEARLY: f64 = 5.0;
 
 /// A possible cause: the change of the observable that it makes, and what to do.

@@ -14,8 +14,8 @@ use crate::case::stress::StressCase;
 /// CPU time of each [term](SearchWork::terms) of a search, s, without and with friction. *Measured* on 0 to 8 layers,
 /// 64 to 1024 elements per side, all stresses and two of them, before the search became two to three times faster, then
 /// scaled as a whole: on six runs of one and eight layers, 256 to 1024 elements, forecasts are 0.9 to 1.8 times the
-/// time. The terms in layers are of graded layers, 102 to 652 in all, on 64 × 64 elements, with and without friction: they
-/// are 0.75 to 0.85 of the time.
+/// time. The terms in layers are of graded layers, 102 to 652 in all, on 64 × 64 elements, with and without friction:
+/// they are 0.75 to 0.85 of the time.
 const SECONDS: [[f64; SearchWork::TERMS]; 2] = [
     [0.0, 1.2e-4, 4.7e-8, 3.0e-3, 1.2e-4, 1.1e-7, 2.3e-6],
     [0.0, 1.2e-4, 1.1e-7, 2.9e-3, 1.2e-4, 2.4e-7, 4.0e-6],
@@ -29,9 +29,9 @@ const PER_CRITICAL_LOAD: [f64; 2] = [1.5, 6.4];
 /// CPU time of a product with `K` for each element of the grid, s, on a quadrant: an estimate.
 const SECONDS_PER_PRODUCT: f64 = 3e-8;
 
-/// Memory of the functions of the distance of a plane or a peak in a layered body, bytes: of each, and of each for every
-/// layer. *Measured* as the largest resident sets on 64 × 64 elements: of 2 and 8 layers 26 and 55 MB, of 102 to 652
-/// sublayers of graded ones 113 to 683 MB, a run without stresses 17 MB.
+/// Memory of the functions of the distance of a plane or a peak in a layered body, bytes: of each, and of each for
+/// every layer. *Measured* as the largest resident sets on 64 × 64 elements: of 2 and 8 layers 26 and 55 MB, of 102 to
+/// 652 sublayers of graded ones 113 to 683 MB, a run without stresses 17 MB.
 const BYTES_OF_FUNCTIONS: [f64; 2] = [2.5e5, 2.5e4];
 
 /// Memory of a place on a plane that is kept, and of one on the plane under computation, bytes.
