@@ -85,10 +85,12 @@ impl Identification {
         })
     }
 
-    /// The noise of the force, where it describes residuals that are taken for noise of the depth.
+    /// The noise of the force, where it describes residuals that are taken for noise of the depth, unless the curves
+    /// depart from the model together.
     fn of_noise(&self, fit: &Fit) -> Option<String> {
         let is_estimated = self.problem.noise().observed == Amount::Estimated;
-        if !is_estimated || observe(&self.file) != Observable::DepthAtForce {
+        let is_of_depth = is_estimated && observe(&self.file) == Observable::DepthAtForce;
+        if !is_of_depth || fit.departure.is_some() {
             return None;
         }
         let slope = self.prediction_of(fit).ok()?.slope;
