@@ -239,7 +239,8 @@ fn a_domain_far_larger_than_the_contact_is_reported_as_such() {
     ));
     // only on the finest grid are elements small enough for some to be under the ball
     let path = solve(&ball, Domain::Side(0.1), 256, load);
-    assert_eq!(codes(&path), ["domain-much-larger"]);
+    let told = ["domain-much-larger", "peak-not-resolved", "not-resolved"];
+    assert_eq!(codes(&path), told);
     assert!(path.warnings[0].to_string().contains("choose a side near"));
     // few elements on a coarse grid do not mean that the side is wrong
     let path = solve(&ball, Domain::Automatic, 8, load);
