@@ -42,8 +42,9 @@ pub use path::{
     levels::solved_grid,
     loads_at_once, solve_path,
     warnings::{
-        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, arc_under_resolved, domain_much_larger,
-        map_under_resolved, model_warnings, relative_shortening,
+        FEWEST_ELEMENTS, LARGEST_SHORTENING, LARGEST_SLOPE, domain_much_larger,
+        grid::{arc_under_resolved, map_under_resolved, model_warnings},
+        relative_shortening,
     },
 };
 pub use problem::{

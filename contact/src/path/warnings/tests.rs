@@ -5,6 +5,8 @@ use pellicle_texture::{
     CylinderSpec, Cylinders, Dimples, Film, Lattice, Pattern, RecessShape, Recesses, Relief,
 };
 
+use pellicle_influence::ElasticBody;
+
 use super::*;
 use crate::wear::StepWear;
 use crate::{Domain, Paraboloid, SolverOptions, solve_path};
