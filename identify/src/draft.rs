@@ -17,6 +17,7 @@ mod power_law;
 mod spring_guess;
 mod story;
 mod survey;
+mod table_columns;
 mod words;
 
 use std::path::{Path, PathBuf};

@@ -3,7 +3,8 @@
 use pellicle::display::{Unit, significant};
 
 use super::NOT_IN_THE_FILE;
-use super::survey::{Survey, SurveyedColumn, SurveyedUnit};
+use super::survey::Survey;
+use super::table_columns::{SurveyedColumn, SurveyedUnit};
 use super::words::{quoted, stated};
 use crate::measured::channel::Channel;
 use crate::measured::separator::DecimalMark;

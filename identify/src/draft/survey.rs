@@ -4,13 +4,12 @@ use std::path::{Path, PathBuf};
 
 use pellicle::input::decode::TextEncoding;
 
-use super::column_guess::{self, ColumnGuess};
 use super::history::History;
+use super::table_columns::{SurveyedColumn, SurveyedUnit, chosen, guesses, named};
 use super::{DraftError, DraftKind, spring_guess};
 use crate::measured::channel::Channel;
 use crate::measured::columns::{ColumnName, ColumnUnit, CurveColumns};
 use crate::measured::error::CurveError;
-use crate::measured::header::{HeaderField, HeaderUnit};
 use crate::measured::raw_curve::RawCurve;
 use crate::measured::reading;
 use crate::measured::separator::DecimalMark;
@@ -53,32 +52,6 @@ pub(super) struct Survey {
     pub(super) is_unloading: bool,
     /// What happens in it.
     pub(super) history: Option<History>,
-}
-
-/// A column that is read.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct SurveyedColumn {
-    /// Its quantity.
-    pub(super) channel: Channel,
-    /// Its number, from 1.
-    pub(super) number: usize,
-    /// Its heading; empty if there is none.
-    pub(super) heading: String,
-    /// Whether the heading names this column alone.
-    pub(super) is_unique: bool,
-    /// Its unit.
-    pub(super) unit: SurveyedUnit,
-}
-
-/// The unit of a column.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum SurveyedUnit {
-    /// The header states it.
-    Stated(String),
-    /// It is assumed.
-    Assumed(&'static str),
-    /// A deflection in volts has this sensitivity, m/V.
-    Sensitivity(f64),
 }
 
 /// The spring constant of a cantilever, N/m.
@@ -190,67 +163,6 @@ fn table(text: &str) -> Result<(TextOptions, TextTable<'_>), CurveError> {
     }
 }
 
-fn guesses(table: &TextTable<'_>, options: &TextOptions) -> Option<Vec<ColumnGuess>> {
-    if !table.header.is_empty() {
-        let holds_number = |place: usize| {
-            let number = |row: &&str| {
-                let fields = table.separator.fields(row);
-                (fields.get(place)).is_some_and(|field| options.decimal.number(field).is_some())
-            };
-            table.rows.iter().any(number)
-        };
-        // Instruments write columns of what they did not measure.
-        let named = table.header.iter().enumerate().map(|(place, head)| {
-            if holds_number(place) {
-                head.clone()
-            } else {
-                HeaderField::new("")
-            }
-        });
-        return Some(column_guess::of_header(&named.collect::<Vec<_>>()));
-    }
-    let mut columns = vec![Vec::with_capacity(table.rows.len()); table.columns];
-    for row in &table.rows {
-        let fields = table.separator.fields(row);
-        for (place, values) in columns.iter_mut().enumerate() {
-            let number = fields
-                .get(place)
-                .and_then(|field| options.decimal.number(field));
-            values.push(number.unwrap_or(f64::NAN));
-        }
-    }
-    column_guess::of_numbers(&columns)
-}
-
-/// The columns to read, and whether they are those of a cantilever; none if they make no curve.
-fn chosen(
-    guesses: &[ColumnGuess],
-    kind: DraftKind,
-    states_spring: bool,
-) -> Option<(Vec<ColumnGuess>, bool)> {
-    let find = |channel| {
-        guesses
-            .iter()
-            .find(|guess| guess.channel == channel)
-            .copied()
-    };
-    let (force, depth, height) = (
-        find(Channel::Force),
-        find(Channel::Depth),
-        find(Channel::Height),
-    );
-    let load = force.or(find(Channel::Deflection));
-    let prefers_height = kind == DraftKind::Afm || states_spring || depth.is_none();
-    let time = find(Channel::Time);
-    let prefers_height = prefers_height && kind != DraftKind::Unloading;
-    if let (Some(height), Some(load), true) = (height, load, prefers_height) {
-        let columns = [Some(height), Some(load), time];
-        return Some((columns.into_iter().flatten().collect(), true));
-    }
-    let columns = [Some(depth?), Some(force?), find(Channel::Stiffness), time];
-    Some((columns.into_iter().flatten().collect(), false))
-}
-
 fn not_understood(file: &Path, table: &TextTable<'_>) -> DraftError {
     let headings: Vec<_> = table
         .header
@@ -265,37 +177,6 @@ fn not_understood(file: &Path, table: &TextTable<'_>) -> DraftError {
         file: file.to_owned(),
         columns,
         wanted: "a force, and a depth or the height of a piezo",
-    }
-}
-
-fn named(chosen: &[ColumnGuess], table: &TextTable<'_>) -> Vec<SurveyedColumn> {
-    let column = |guess: &ColumnGuess| {
-        let head = table.header.get(guess.place);
-        let is_same = |other: &&HeaderField| head.is_some_and(|head| head.text == other.text);
-        SurveyedColumn {
-            channel: guess.channel,
-            number: guess.place + 1,
-            heading: head.map(|head| head.text.clone()).unwrap_or_default(),
-            is_unique: table.header.iter().filter(is_same).count() == 1,
-            unit: match head.map(|head| &head.unit) {
-                Some(HeaderUnit::Of(_)) => SurveyedUnit::Stated(
-                    head.map(|head| head.unit_text.clone()).unwrap_or_default(),
-                ),
-                Some(HeaderUnit::Electrical) => SurveyedUnit::Sensitivity(1.0),
-                _ => SurveyedUnit::Assumed(assumed(guess.channel)),
-            },
-        }
-    };
-    chosen.iter().map(column).collect()
-}
-
-/// The unit in which instruments mostly write a quantity.
-fn assumed(channel: Channel) -> &'static str {
-    match channel {
-        Channel::Force => "mN",
-        Channel::Time => "s",
-        Channel::Stiffness => "N/m",
-        _ => "nm",
     }
 }
 
