@@ -6,6 +6,27 @@
 //! gives the innovations, the product of the inverse Cholesky factor of `R` and the series, in O(n): J. Durbin and S.
 //! J. Koopman, Time Series Analysis by State Space Methods (Oxford, 2nd ed. 2012), sections 4.3 and 7.2.
 
+use crate::orthonormal_basis::dot;
+
+/// A larger correlation of neighbours cannot be told from a bend.
+pub(crate) const MOST_PERSISTENT: f64 = 0.95;
+
+/// The correlation of neighbouring residuals, at least 0.
+pub(crate) fn persistence(residual: &[f64]) -> f64 {
+    let products = dot(&residual[1..], &residual[..residual.len() - 1]);
+    let persistence = (products / dot(residual, residual)).clamp(0.0, MOST_PERSISTENT);
+    if persistence.is_nan() {
+        0.0
+    } else {
+        persistence
+    }
+}
+
+/// How many neighbouring points of such noise count as one in a long mean: `1 + 2 (1 − w) φ/(1 − φ)`.
+pub(crate) fn dependence(persistence: f64, white_fraction: f64) -> f64 {
+    (1.0 + persistence * (1.0 - 2.0 * white_fraction)) / (1.0 - persistence)
+}
+
 /// The whitening of a series, stored as the gains of the filter.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Innovations {

@@ -1,6 +1,6 @@
 //! The noise of the measured points: its size, and which parts of it are to be estimated.
 
-use crate::{IdentifyError, predictor::Evaluation};
+use crate::{IdentifyError, autoregressive::dependence, predictor::Evaluation};
 
 mod point_errors;
 pub(crate) mod restricted_likelihood;
@@ -90,11 +90,9 @@ impl NoiseLevels {
         noise.check()
     }
 
-    /// How many neighbouring points count as one in a long mean: `1 + 2 (1 − w) φ/(1 − φ)`.
-    #[must_use]
-    pub fn dependence(&self) -> f64 {
-        let persistence = self.persistence;
-        1.0 + 2.0 * (1.0 - self.white_fraction) * persistence / (1.0 - persistence)
+    /// How many neighbouring points count as one in a long mean.
+    pub(crate) fn dependence(&self) -> f64 {
+        dependence(self.persistence, self.white_fraction)
     }
 
     /// The effective variance `σ_D² + (ρ y)² + (∂y/∂Q)² σ_Q²` of a point with this value and slope.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::{IndentationError, Uncertain};
-use crate::measured::before_contact::{MOST_PERSISTENT, dependence};
+use crate::autoregressive::{MOST_PERSISTENT, dependence, persistence};
 use crate::orthonormal_basis::{OrthonormalBasis, dot};
 
 /// The first part of a hold is left out: there the body still recovers.
@@ -57,14 +57,11 @@ impl DriftHold {
     }
 }
 
-/// How many neighbours count as one, `(1 + φ)/(1 − φ)`, of as many as `n` residuals of a line tell: their correlation φ
-/// is too small by `(1 + 4 φ)/n`. After F. H. C. Marriott and J. A. Pope, Biometrika 41, 390 (1954), who have 3 φ for a
-/// mean.
-fn unbiased(told: f64, n: usize) -> f64 {
-    let correlation = (told - 1.0) / (told + 1.0);
-    let correlation = correlation + (1.0 + 4.0 * correlation) / n as f64;
-    let correlation = correlation.min(MOST_PERSISTENT);
-    (1.0 + correlation) / (1.0 - correlation)
+/// The correlation of neighbours of which `n` residuals of a line tell: theirs is too small by `(1 + 4 φ)/n`. After F. H.
+/// C. Marriott and J. A. Pope, Biometrika 41, 390 (1954), who have 3 φ for a mean.
+fn persistence_beside_line(residual: &[f64]) -> f64 {
+    let told = persistence(residual);
+    (told + (1.0 + 4.0 * told) / residual.len() as f64).min(MOST_PERSISTENT)
 }
 
 /// A straight line through points.
@@ -91,7 +88,7 @@ impl Line {
         let [value, slope] = basis.coefficients(&components)[..] else {
             return None;
         };
-        let dependence = known.unwrap_or_else(|| unbiased(dependence(&rest), x.len()));
+        let dependence = known.unwrap_or_else(|| dependence(persistence_beside_line(&rest), 0.0));
         let variance = dot(&rest, &rest) / (x.len() as f64 - 2.0) * dependence;
         let covariance = basis.inverse_gram();
         let with_sd = |value: f64, k: usize| Uncertain {

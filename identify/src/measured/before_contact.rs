@@ -7,12 +7,13 @@
 //! F = a + b x + A (x − c)₊ᵖ,   p = 1, 3/2 or 2,
 //! ```
 //!
-//! unless adhesion pulls the surfaces together there and the lowest force tells the place,
-//! with the `c` and the `p` of the least squares, over blocks of neighbouring points. `x` is the height of the piezo
-//! where there is one, for a baseline runs along it, otherwise the depth. A fit then finds the contact itself; this one
-//! only says which points lie before it.
+//! with the `c` and the `p` of the least squares, over blocks of neighbouring points; unless adhesion pulls the surfaces
+//! together there and the lowest force tells the place. `x` is the height of the piezo where there is one, for a
+//! baseline runs along it, otherwise the depth. A fit then finds the contact itself; this one only says which points lie
+//! before it.
 
 use super::baseline::is_pull_off;
+use crate::autoregressive::{dependence, persistence};
 use crate::orthonormal_basis::{OrthonormalBasis, dot};
 
 /// The stretch before the contact of a curve.
@@ -46,8 +47,6 @@ const EXPONENTS: [f64; 3] = [1.0, 1.5, 2.0];
 /// of these with which it is straight: the contact begins before the break, as the second piece is no exact law. Behind
 /// a cantilever half as soft as the contact it begins a fifth of the stretch before.
 const GUARDS: [f64; 5] = [0.1, 0.2, 0.3, 0.4, 0.5];
-/// A larger correlation of neighbours cannot be told from a bend.
-pub(crate) const MOST_PERSISTENT: f64 = 0.95;
 /// A stretch has at least so many points.
 pub(super) const FEWEST_POINTS: usize = 10;
 /// A stretch shows itself if it is at least this fraction of the length in contact,
@@ -130,7 +129,8 @@ impl BeforeContact {
         let degrees = (x.len() - 2) as f64;
         let variance = dot(&rest, &rest) / degrees;
         let covariance = line.inverse_gram();
-        let error = |k: usize| (variance * covariance[k][k] * dependence(&rest)).sqrt();
+        let error =
+            |k: usize| (variance * covariance[k][k] * dependence(persistence(&rest), 0.0)).sqrt();
         Some(Self {
             points: x.len(),
             first_in_contact: first,
@@ -173,7 +173,8 @@ impl BeforeContact {
         let components = parabola.remove_from(&mut rest);
         let coefficients = parabola.coefficients(&components);
         let variance = dot(&rest, &rest) / (rest.len() as f64 - 3.0).max(1.0);
-        let error = (variance * parabola.inverse_gram()[2][2] * dependence(&rest)).sqrt();
+        let error =
+            (variance * parabola.inverse_gram()[2][2] * dependence(persistence(&rest), 0.0)).sqrt();
         let bend = coefficients.get(2).map_or(0.0, |bend| bend.abs());
         bend <= f64::max(BEND_ERRORS * error, DIGITS * rise)
     }
@@ -182,17 +183,6 @@ impl BeforeContact {
     #[must_use]
     pub fn force_at(&self, coordinate: f64) -> f64 {
         self.force + self.slope * (coordinate - self.contact)
-    }
-}
-
-/// How many neighbouring residuals count as one: `(1 + φ)/(1 − φ)`, with the correlation φ of neighbours.
-pub(crate) fn dependence(residual: &[f64]) -> f64 {
-    let products = dot(&residual[1..], &residual[..residual.len() - 1]);
-    let persistence = (products / dot(residual, residual)).clamp(0.0, MOST_PERSISTENT);
-    if persistence.is_nan() {
-        1.0
-    } else {
-        (1.0 + persistence) / (1.0 - persistence)
     }
 }
 
