@@ -57,8 +57,8 @@ impl DriftHold {
     }
 }
 
-/// The correlation of neighbours of which `n` residuals of a line tell: theirs is too small by `(1 + 4 φ)/n`. After F. H.
-/// C. Marriott and J. A. Pope, Biometrika 41, 390 (1954), who have 3 φ for a mean.
+/// The correlation of neighbours of which `n` residuals of a line tell: theirs is too small by `(1 + 4 φ)/n`. After
+/// F. H. C. Marriott and J. A. Pope, Biometrika 41, 390 (1954), who have 3 φ for a mean.
 fn persistence_beside_line(residual: &[f64]) -> f64 {
     let told = persistence(residual);
     (told + (1.0 + 4.0 * told) / residual.len() as f64).min(MOST_PERSISTENT)

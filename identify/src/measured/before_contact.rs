@@ -7,10 +7,10 @@
 //! F = a + b x + A (x − c)₊ᵖ,   p = 1, 3/2 or 2,
 //! ```
 //!
-//! with the `c` and the `p` of the least squares, over blocks of neighbouring points; unless adhesion pulls the surfaces
-//! together there and the lowest force tells the place. `x` is the height of the piezo where there is one, for a
-//! baseline runs along it, otherwise the depth. A fit then finds the contact itself; this one only says which points lie
-//! before it.
+//! with the `c` and the `p` of the least squares, over blocks of neighbouring points; unless adhesion pulls the
+//! surfaces together there and the lowest force tells the place. `x` is the height of the piezo where there is one, for
+//! a baseline runs along it, otherwise the depth. A fit then finds the contact itself; this one only says which points
+//! lie before it.
 
 use super::baseline::is_pull_off;
 use crate::autoregressive::{dependence, persistence};
