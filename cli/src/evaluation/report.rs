@@ -13,30 +13,59 @@ struct EvaluationPage<'a> {
     found: &'a EvaluationResult,
     /// The symbol and the meaning of every number.
     heads: Vec<(&'static str, &'static str)>,
-    /// Files, or what the numbers are means of, with the numbers in words.
-    rows: Vec<(String, Vec<String>)>,
+    /// What is asked for, then the other numbers.
+    tables: [NumberTable; 2],
     drawings: &'a [String],
+}
+
+/// Some of the numbers of every contact.
+struct NumberTable {
+    /// The symbol and the meaning of each number.
+    heads: Vec<(&'static str, &'static str)>,
+    /// Contacts, or what the numbers are means of, with the numbers in words.
+    rows: Vec<(String, Vec<String>)>,
+}
+
+/// The numbers of the first table, which is as wide as a page.
+const FIRST: [IndentationNumber; 6] = [
+    IndentationNumber::IndentationModulus,
+    IndentationNumber::IndentationHardness,
+    IndentationNumber::ContactDepth,
+    IndentationNumber::MaxForce,
+    IndentationNumber::ContactStiffness,
+    IndentationNumber::Area,
+];
+
+fn number_table(found: &EvaluationResult, of: &[IndentationNumber]) -> NumberTable {
+    let cells = |numbers: &[Option<Uncertain>]| {
+        let word = |of: &IndentationNumber| {
+            let number = numbers[of.place()];
+            number.map_or_else(String::new, |number| text::words(*of, number))
+        };
+        of.iter().map(word).collect()
+    };
+    let contacts = found.indentation.iter();
+    let contacts = contacts.map(|of| (text::name(of, &found.indentation), cells(&of.numbers)));
+    let repeats = found.repeats.iter().map(|of| {
+        let name = format!("mean of {} curves, ± their scatter", of.curves.len());
+        (name, cells(&of.numbers))
+    });
+    NumberTable {
+        heads: of.iter().map(|of| (of.symbol(), of.meaning())).collect(),
+        rows: contacts.chain(repeats).collect(),
+    }
 }
 
 /// Renders the page as HTML.
 #[must_use]
 pub fn html(found: &EvaluationResult, drawings: &[String]) -> String {
     let heads = IndentationNumber::ALL.map(|of| (of.symbol(), of.meaning()));
-    let cells = |numbers: &[Option<Uncertain>]| {
-        let pairs = IndentationNumber::ALL.into_iter().zip(numbers);
-        let words = pairs.map(|(of, number)| number.map(|number| text::words(of, number)));
-        words.map(Option::unwrap_or_default).collect()
-    };
-    let curves = found.indentation.iter();
-    let curves = curves.map(|of| (of.file.clone(), cells(&of.numbers)));
-    let repeats = found.repeats.iter().map(|of| {
-        let name = format!("mean of {} curves, ± their scatter", of.curves.len());
-        (name, cells(&of.numbers))
-    });
+    let others = IndentationNumber::ALL.into_iter();
+    let others: Vec<_> = others.filter(|of| !FIRST.contains(of)).collect();
     let page = EvaluationPage {
         found,
         heads: heads.into(),
-        rows: curves.chain(repeats).collect(),
+        tables: [number_table(found, &FIRST), number_table(found, &others)],
         drawings,
     };
     page.to_string()

@@ -44,6 +44,9 @@ pub struct Indentation {
     pub file: String,
     /// Its number among all curves, from 1.
     pub curve: usize,
+    /// Whether it is one reading of a continuous stiffness, not an unloading.
+    #[serde(skip)]
+    pub is_reading: bool,
     /// Its numbers by name; null where it does not have one.
     #[serde(flatten, serialize_with = "by_name")]
     pub numbers: Vec<Option<Uncertain>>,
@@ -59,9 +62,7 @@ impl Indentation {
     /// One of its numbers; zero where it does not have it.
     #[must_use]
     pub fn number(&self, of: IndentationNumber) -> Uncertain {
-        let place = IndentationNumber::ALL.iter().position(|one| *one == of);
-        let found = place.and_then(|place| self.numbers[place]);
-        found.unwrap_or_default()
+        self.numbers[of.place()].unwrap_or_default()
     }
 }
 
@@ -131,6 +132,12 @@ struct OneContact<'a> {
     numbers: &'a IndentationNumbers,
 }
 
+impl OneContact<'_> {
+    fn is_reading(&self) -> bool {
+        matches!(self.file.evaluated, Ok(Evaluated::Stiffnesses(_)))
+    }
+}
+
 fn contacts(curves: &[EvaluatedFile]) -> Vec<OneContact<'_>> {
     let of_file = curves.iter().flat_map(|file| {
         let contacts = file.evaluated.iter().flat_map(Evaluated::contacts);
@@ -152,6 +159,7 @@ pub fn indentations(curves: &[EvaluatedFile]) -> Vec<Indentation> {
     let of = |contact: &OneContact<'_>| Indentation {
         file: contact.file.measured.file.display().to_string(),
         curve: contact.curve,
+        is_reading: contact.is_reading(),
         numbers: IndentationNumber::ALL
             .map(|of| contact.numbers.get(of))
             .into(),
@@ -161,10 +169,11 @@ pub fn indentations(curves: &[EvaluatedFile]) -> Vec<Indentation> {
     contacts(curves).iter().map(of).collect()
 }
 
-/// The repeats of each table.
+/// The repeats of each table; the readings of a continuous stiffness are none of each other.
 fn repeats(curves: &[EvaluatedFile]) -> Vec<Repeats> {
     let mut groups: Vec<(usize, f64, Vec<OneContact<'_>>)> = Vec::new();
-    for contact in contacts(curves) {
+    let unloadings = contacts(curves).into_iter();
+    for contact in unloadings.filter(|contact| !contact.is_reading()) {
         let force = contact.numbers.get(IndentationNumber::MaxForce);
         let force = force.unwrap_or_default().value;
         let table = contact.file.table;

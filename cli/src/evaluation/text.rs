@@ -17,10 +17,14 @@ const PRINTED: [IndentationNumber; 7] = [
     IndentationNumber::DriftRate,
 ];
 
-/// Describes the result, a few lines per curve.
+/// Describes the result: a few lines for an unloading, one for a reading of a continuous stiffness, of which a few at
+/// depths far apart.
 #[must_use]
 pub fn text(result: &EvaluationResult) -> String {
-    let curve = |of: &Indentation| format!("  {}\n{}", of.file, lines(&of.numbers));
+    let of_files = result
+        .indentation
+        .chunk_by(|one, next| one.file == next.file);
+    let curves: String = of_files.map(of_file).collect();
     let repeats = |of: &Repeats| {
         let count = of.curves.len();
         format!(
@@ -28,23 +32,80 @@ pub fn text(result: &EvaluationResult) -> String {
             lines(&of.numbers)
         )
     };
-    let curves: String = result.indentation.iter().map(curve).collect();
     let means: String = result.repeats.iter().map(repeats).collect();
     format!("{}\n{curves}{means}", result.title)
 }
 
+/// The contacts of one file.
+fn of_file(contacts: &[Indentation]) -> String {
+    let unloading = |of: &Indentation| format!("  {}\n{}", name(of, contacts), lines(&of.numbers));
+    if !contacts.iter().all(|of| of.is_reading) {
+        return contacts.iter().map(unloading).collect();
+    }
+    let (count, steps) = (contacts.len(), contacts.len().min(READINGS));
+    let lines: String = (1..=steps)
+        .map(|step| reading(&contacts[(step * count).div_ceil(steps) - 1]))
+        .collect();
+    let file = &contacts[0].file;
+    format!(
+        "  {file}: {count} readings, all in {}\n{lines}",
+        super::table::FILE
+    )
+}
+
+/// The name of a contact: its file, and which unloading of several.
+#[must_use]
+pub fn name(of: &Indentation, all: &[Indentation]) -> String {
+    let of_file: Vec<usize> = all
+        .iter()
+        .filter(|one| one.file == of.file)
+        .map(|one| one.curve)
+        .collect();
+    match (
+        of_file.as_slice(),
+        of_file.iter().position(|one| *one == of.curve),
+    ) {
+        ([_, _, ..], Some(place)) => {
+            let what = if of.is_reading {
+                "reading"
+            } else {
+                "unloading"
+            };
+            format!("{}, {what} {} of {}", of.file, place + 1, of_file.len())
+        }
+        _ => of.file.clone(),
+    }
+}
+
+/// Modulus and hardness at a depth, on one line.
+fn reading(of: &Indentation) -> String {
+    let [depth, numbers @ ..] = [
+        IndentationNumber::ContactDepth,
+        IndentationNumber::IndentationModulus,
+        IndentationNumber::IndentationHardness,
+    ]
+    .map(|number| format!("{} = {}", number.symbol(), words_of(of, number)));
+    format!("    {depth}: {}\n", numbers.join(", "))
+}
+
+/// A number of a contact in words; empty where it does not have it.
+fn words_of(contact: &Indentation, of: IndentationNumber) -> String {
+    contact.numbers[of.place()].map_or(String::new(), |number| words(of, number))
+}
+
 fn lines(numbers: &[Option<Uncertain>]) -> String {
     let printed = PRINTED.into_iter().filter_map(|of| {
-        let place = IndentationNumber::ALL.iter().position(|one| *one == of)?;
         Some(format!(
             "    {} = {}\n",
             of.symbol(),
-            words(of, numbers[place]?)
+            words(of, numbers[of.place()]?)
         ))
     });
     printed.collect()
 }
 
+/// Readings of a continuous stiffness that are printed of a file.
+const READINGS: usize = 8;
 /// Most contacts that are listed one by one.
 const LISTED: usize = 20;
 
@@ -52,11 +113,6 @@ const LISTED: usize = 20;
 /// how far the base falsifies the formula. Empty without unloadings.
 #[must_use]
 pub fn beside(contacts: &[Indentation]) -> String {
-    let place = |of| IndentationNumber::ALL.iter().position(|one| *one == of);
-    let words_of = |contact: &Indentation, of: IndentationNumber| {
-        let number = place(of).and_then(|place| contact.numbers[place]);
-        number.map_or(String::new(), |number| words(of, number))
-    };
     let line = |contact: &Indentation| {
         let depth = words_of(contact, IndentationNumber::ContactDepth);
         let modulus = words_of(contact, IndentationNumber::IndentationModulus);

@@ -10,7 +10,7 @@ use askama::Template;
 use pellicle::Run;
 use pellicle::display::{Unit, quantity, significant};
 use pellicle::result::fields::Fields;
-use pellicle::result::quantities::{OF_A_CURVE, of_key};
+use pellicle::result::quantities::of_a_curve;
 use pellicle::result::quantity::Quantity;
 use pellicle::summary::{RunSummary, StepSummary};
 use pellicle_contact::Status;
@@ -36,7 +36,7 @@ struct RunPage<'a> {
     /// The worst status of a step.
     worst: Status,
     /// The names of the numbers in the table of the curve.
-    columns: [String; OF_A_CURVE.len()],
+    columns: [String; 4],
     curve: Vec<CurveRow>,
     steps: Vec<StepSection<'a>>,
     /// Sentences on the critical loads, the smallest load first.
@@ -75,7 +75,7 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
         domain: domain(summary),
         element_side: metres(summary.grid.element_side),
         worst: (summary.steps.iter().map(StepSummary::verdict).max()).unwrap_or_default(),
-        columns: OF_A_CURVE.map(|key| of_key(key).map_or_else(String::new, Quantity::title)),
+        columns: of_a_curve(summary).map(Quantity::title),
         curve: summary
             .steps
             .iter()
@@ -117,9 +117,8 @@ pub fn of_run(run: &Run) -> String {
 }
 
 fn row(summary: &RunSummary, step: &StepSummary) -> CurveRow {
-    let words = |key| of_key(key).and_then(|of| of.words(step, summary));
     CurveRow {
-        cells: OF_A_CURVE.map(|key| words(key).unwrap_or_default()),
+        cells: of_a_curve(summary).map(|of| of.words(step, summary).unwrap_or_default()),
         status: step.verdict(),
     }
 }

@@ -6,7 +6,7 @@ pub mod stress;
 
 use pellicle::case::grid::BoundaryCase;
 use pellicle::display::{Unit, quantity, significant};
-use pellicle::result::quantities::{OF_A_CURVE, QUANTITIES, of_key};
+use pellicle::result::quantities::{QUANTITIES, of_a_curve};
 use pellicle::result::quantity::Part;
 use pellicle::summary::{RunSummary, StepSummary, WarningSummary};
 use pellicle_contact::Status;
@@ -15,6 +15,9 @@ use self::columns::TextColumns;
 
 /// Largest number of warnings with the same code that are all printed.
 const MAX_SHOWN_PER_CODE: usize = 3;
+
+/// Least width of a column in the table of a curve.
+const LEAST_WIDTH: usize = 16;
 
 /// Describes a run in a few lines; a curve as a table with one line per step.
 #[must_use]
@@ -109,23 +112,21 @@ fn work(step: &StepSummary) -> String {
 }
 
 fn table(run: &RunSummary) -> String {
-    let quantities = OF_A_CURVE.map(of_key);
-    let cells = |name: String, of: [String; 4], last: String| {
-        let [force, penetration, pressure, area] = of;
-        row([name, force, penetration, pressure, area, last])
+    let quantities = of_a_curve(run);
+    let width = quantities.map(|of| of.name.len()).into_iter().max();
+    let width = width.map_or(LEAST_WIDTH, |longest| LEAST_WIDTH.max(longest + 1));
+    let row = |step: String, cells: [String; 4], last: String| {
+        let cells = cells.into_iter().chain([last]);
+        let cells: String = cells.map(|cell| format!("{cell:>width$}")).collect();
+        format!("{step:>6}{cells}\n")
     };
-    let names = quantities.map(|of| of.map_or_else(String::new, |of| of.name.to_owned()));
-    let mut text = cells("step".into(), names, "certificate".into());
+    let names = quantities.map(|of| of.name.to_owned());
+    let mut text = row("step".into(), names, "certificate".into());
     for (i, step) in run.steps.iter().enumerate() {
-        let words = quantities.map(|of| of.and_then(|of| of.words(step, run)).unwrap_or_default());
-        text.push_str(&cells(i.to_string(), words, certificate(step)));
+        let words = quantities.map(|of| of.words(step, run).unwrap_or_default());
+        text.push_str(&row(i.to_string(), words, certificate(step)));
     }
     text
-}
-
-fn row([step, rest @ ..]: [String; 6]) -> String {
-    let rest = rest.map(|cell| format!("{cell:>16}")).concat();
-    format!("{step:>6}{rest}\n")
 }
 
 #[cfg(test)]

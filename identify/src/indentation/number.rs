@@ -59,7 +59,8 @@ numbers! {
 
 impl IndentationNumber {
     /// Its place among all.
-    pub(super) fn place(self) -> usize {
+    #[must_use]
+    pub fn place(self) -> usize {
         self as usize
     }
 }

@@ -46,7 +46,7 @@ pub struct BeforeContactRows {
 /// A pull-off is more than this many standard deviations of single forces,
 const PULL_OFF_NOISE: f64 = 8.0;
 /// and more than this part of the largest force.
-const PULL_OFF_PART: f64 = 0.02;
+const PULL_OFF_PART: f64 = 0.005;
 
 impl Baseline {
     /// What it may be.

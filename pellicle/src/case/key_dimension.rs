@@ -1,4 +1,4 @@
-//! The dimension of the values of each key of a case.
+//! The dimension of the values of a case.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -7,13 +7,22 @@ use super::Case;
 use crate::declare::keys::dimensions;
 use crate::input::dimension::Dimension;
 
-static DIMENSIONS: LazyLock<BTreeMap<&str, Dimension>> =
+static DIMENSIONS: LazyLock<BTreeMap<String, Dimension>> =
     LazyLock::new(|| dimensions(&Case::shape()));
 
-/// The dimension of a key's value, or of the ends of its range; none if it is a number without a unit, or no number.
+/// The dimension of the value at a path such as `foundation.layer[0].thickness`, or of the ends of its range; none if it
+/// is a number without a unit, or no number.
 #[must_use]
-pub fn of_key(key: &str) -> Option<Dimension> {
-    DIMENSIONS.get(key).copied()
+pub fn of_path(path: &str) -> Option<Dimension> {
+    let keys = path
+        .split('.')
+        .map(|key| key.split('[').next().unwrap_or(key));
+    let keys: Vec<_> = keys.filter(|key| key.parse::<usize>().is_err()).collect();
+    let of = |keys: &[&str]| DIMENSIONS.get(&keys.join(".")).copied();
+    of(&keys).or_else(|| match keys.split_last()? {
+        (&("from" | "to"), range) => of(range),
+        _ => None,
+    })
 }
 
 #[cfg(test)]
@@ -24,13 +33,30 @@ mod tests {
     use crate::input::units::PROSE;
 
     #[test]
-    fn keys_have_the_dimension_of_their_declaration() {
-        assert_eq!(of_key("thickness"), Some(Dimension::Length));
-        assert_eq!(of_key("forces"), Some(Dimension::Force));
-        assert_eq!(of_key("shear_compliance"), Some(Dimension::Compliance));
-        assert_eq!(of_key("face_angle"), Some(Dimension::Angle));
-        for key in ["poisson_ratio", "from", "to", "elements", "kind", "title"] {
-            assert_eq!(of_key(key), None, "{key}");
+    fn values_have_the_dimension_of_their_declaration() {
+        for (path, wanted) in [
+            ("foundation.layer[0].thickness", Dimension::Length),
+            ("foundation.layer.1.young_modulus.from", Dimension::Pressure),
+            ("load.forces", Dimension::Force),
+            (
+                "foundation.layer[0].interface.shear_compliance",
+                Dimension::Compliance,
+            ),
+            ("indenter.face_angle", Dimension::Angle),
+            ("indenter.coefficient", Dimension::Length),
+            ("wear.coefficient", Dimension::WearCoefficient),
+            ("wear.distances.to", Dimension::Length),
+        ] {
+            assert_eq!(of_path(path), Some(wanted), "{path}");
+        }
+        for path in [
+            "foundation.substrate.poisson_ratio",
+            "from",
+            "grid.elements",
+            "indenter.kind",
+            "title",
+        ] {
+            assert_eq!(of_path(path), None, "{path}");
         }
     }
 

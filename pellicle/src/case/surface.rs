@@ -44,7 +44,7 @@ record! {
     #[derive(Copy)]
     pub struct FilmCase {
         thickness: f64 = length().positive(), "thickness of the film";
-        young_modulus: f64 = pressure().positive(), "Young's modulus of the film";
+        young_modulus: f64 = pressure().positive(), "pressure over strain of the film: E of a brush, E (1 − ν)/((1 + ν)(1 − 2ν)) of a solid film much thinner than the contact";
         law: LawCase = word(LawCase::WORDS).or(LawCase::Linear, "\"linear\""), "law of the springs";
     }
 }
@@ -143,6 +143,17 @@ impl SurfaceCase {
         }
         <Self as Kinds>::read(table, &[], scope)
             .map_err(|diagnosis| springs_need_a_map(table, diagnosis))
+    }
+
+    /// Whether it consists of springs, and is not the body's own surface.
+    #[must_use]
+    pub fn has_springs(&self) -> bool {
+        match self {
+            Self::Bare | Self::Rough(_) => false,
+            Self::Dimples(of) => of.young_modulus.is_some(),
+            Self::Grooves(of) => of.young_modulus.is_some(),
+            Self::Cylinders(_) | Self::Film(_) | Self::Map(_) | Self::Function(_) => true,
+        }
     }
 
     /// The relief itself.

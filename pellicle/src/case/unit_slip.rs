@@ -121,10 +121,11 @@ fn value_of(load: &Load) -> f64 {
 /// The values of the case in other units.
 fn slips<'a>(case: &'a Case, model: &Model) -> Vec<Slip<'a>> {
     let of_load = LoadValues::KEYS.iter().flat_map(|key| {
-        let Some(dimension) = key_dimension::of_key(key) else {
+        let path = format!("load.{key}");
+        let Some(dimension) = key_dimension::of_path(&path) else {
             return Vec::new();
         };
-        other_units(case, &format!("load.{key}"), dimension, None)
+        other_units(case, &path, dimension, None)
     });
     let parameters = case.parameters(model).unwrap_or_default().into_iter();
     let of_parameters = parameters.flat_map(|of| match of.dimension {

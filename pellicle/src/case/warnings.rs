@@ -40,11 +40,13 @@ fn with_key(warning: &Warning) -> String {
     format!("{warning} (`{key}`)")
 }
 
-/// The unit of a bare number in a case that has units, by its key; none where a bare number is usual: the length that 1
-/// in a file of heights stands for.
-fn bare_unit(key: &str) -> Option<&'static str> {
-    let dimension =
-        key_dimension::of_key(key).filter(|_| !["height_unit", "lateral_unit"].contains(&key));
+/// The unit of a bare number in a case that has units, by its path; none where a bare number is usual: the length
+/// that 1 in a file of heights stands for.
+fn bare_unit(path: &str) -> Option<&'static str> {
+    let is_usual = ["height_unit", "lateral_unit"]
+        .iter()
+        .any(|key| path.ends_with(key));
+    let dimension = key_dimension::of_path(path).filter(|_| !is_usual);
     dimension.map(Dimension::si_unit)
 }
 
@@ -101,9 +103,22 @@ impl Case {
         }
         warnings.extend(maps::of(self, side));
         warnings.extend(self.unused_strengths());
+        warnings.extend(self.unjudged_springs());
         warnings.extend(self.unbounded_displacement());
         warnings.extend(self.adhesion.iter().flat_map(AdhesiveContacts::warnings));
         warnings
+    }
+
+    /// The warning about springs, which no strength judges.
+    fn unjudged_springs(&self) -> Option<CaseWarning> {
+        let is_judged = self.stress.is_some() && self.foundation.has_strengths();
+        (is_judged && self.surface.has_springs()).then(|| CaseWarning {
+            code: "springs-not-judged",
+            message: "critical loads are those of layers, interfaces and substrate: the springs of the surface have no \
+                      strength; the stress in a spring is its pressure, so compare the largest pressure with the \
+                      strength of their material"
+                .to_owned(),
+        })
     }
 
     /// The warning about strengths of bodies whose stresses are not asked for.
@@ -160,7 +175,7 @@ fn bare_numbers(root: &TomlNode, warnings: &mut Vec<CaseWarning>) {
 fn in_table(path: &str, table: &TomlTable, warnings: &mut Vec<CaseWarning>) {
     for entry in &table.entries {
         let path = dotted(path, &entry.key);
-        match (&entry.node.value, bare_unit(&entry.key)) {
+        match (&entry.node.value, bare_unit(&path)) {
             (_, Some(unit)) => {
                 warnings.extend(bare(&entry.node).map(|at| warn_of(&path, at, unit)));
             }

@@ -4,6 +4,7 @@ use serde_json::Value;
 
 use super::key_dimension;
 use crate::input::dimension::Dimension;
+use crate::input::key_path::dotted;
 use crate::input::quantity;
 
 /// The prefixes of 10⁻¹², 10⁻⁹ … 10¹², as in a case file.
@@ -19,27 +20,24 @@ const MOVED: std::ops::RangeInclusive<i32> = -3..=5;
 /// out.
 #[must_use]
 pub fn with_units(case: Value) -> Value {
-    within(case, None)
+    within(case, "")
 }
 
-fn within(value: Value, dimension: Option<Dimension>) -> Value {
+fn within(value: Value, path: &str) -> Value {
     match value {
         Value::Object(entries) => {
             let entries = entries.into_iter().filter(|(_, value)| !value.is_null());
             let entry = |(key, value): (String, Value)| {
-                // The ends of a range have the dimension of its key.
-                let own = key_dimension::of_key(&key);
-                let inherited = dimension.filter(|_| ["from", "to"].contains(&key.as_str()));
-                let value = within(value, own.or(inherited));
+                let value = within(value, &dotted(path, &key));
                 (key, value)
             };
             Value::Object(entries.map(entry).collect())
         }
         Value::Array(items) => {
             let items = items.into_iter();
-            Value::Array(items.map(|item| within(item, dimension)).collect())
+            Value::Array(items.map(|item| within(item, path)).collect())
         }
-        Value::Number(number) => match (dimension, number.as_f64()) {
+        Value::Number(number) => match (key_dimension::of_path(path), number.as_f64()) {
             (Some(dimension), Some(number)) => written(number, dimension).into(),
             _ => Value::Number(number),
         },
@@ -79,7 +77,7 @@ fn written(number: f64, dimension: Dimension) -> String {
                 format!("{number} rad")
             }
         }
-        dimension => format!("{number} {}", dimension.si_unit()),
+        dimension => format!("{} {}", moved(mantissa, exponent), dimension.si_unit()),
     }
 }
 
@@ -121,7 +119,7 @@ mod tests {
             "surface": {"offset": [0.0, -1.5e-6]},
             "indenter": {"half_angle": 65.03_f64.to_radians(), "radius": null},
             "load": {"forces": [1e-4, 0.05]}, "grid": {"elements": 64, "side": 5.125_138_012_345_679e-5},
-            "solver": {"tolerance": 1e-8},
+            "solver": {"tolerance": 1e-8}, "wear": {"coefficient": 1e-15, "distances": [10.0]},
         });
         let wanted = json!({
             "foundation": {"layer": [{
@@ -131,7 +129,7 @@ mod tests {
             "surface": {"offset": ["0 m", "-1.5 um"]},
             "indenter": {"half_angle": "65.03 deg"},
             "load": {"forces": ["100 uN", "50 mN"]}, "grid": {"elements": 64, "side": "51.25138012345679 um"},
-            "solver": {"tolerance": 1e-8},
+            "solver": {"tolerance": 1e-8}, "wear": {"coefficient": "1e-15 m^2/N", "distances": ["10 m"]},
         });
         assert_eq!(with_units(case), wanted);
     }
@@ -144,6 +142,7 @@ mod tests {
             Dimension::Force,
             Dimension::Angle,
             Dimension::Compliance,
+            Dimension::WearCoefficient,
         ];
         let mut number: f64 = 1.234_567_890_123_456_7e-31;
         let mut numbers = vec![0.0, 1e-30, 999.999_999_999_999_9, 1e30, 1.0, -1e-9];

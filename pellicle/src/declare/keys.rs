@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::shape::{Field, Presence, Shape, TableShape};
 use crate::input::dimension::Dimension;
+use crate::input::key_path::dotted;
 
 /// All fields of a table and of the tables within it, each key once.
 #[must_use]
@@ -53,13 +54,25 @@ fn within<'a>(shape: &'a Shape, path: &[String]) -> Vec<&'a Shape> {
     }
 }
 
-/// The dimension of each key whose numbers have one; the ends of a range have that of its key.
+/// The dimension of each value that has one, by its key and those of the tables around it, such as
+/// `foundation.layer.thickness`.
 #[must_use]
-pub fn dimensions(root: &TableShape) -> BTreeMap<&'static str, Dimension> {
-    let is_end = |key: &str| ["from", "to"].contains(&key);
-    let dimension =
-        |(key, shape): (_, &Shape)| Some((key, shape.dimension().filter(|_| !is_end(key))?));
-    fields(root).into_iter().filter_map(dimension).collect()
+pub fn dimensions(root: &TableShape) -> BTreeMap<String, Dimension> {
+    let mut found = BTreeMap::new();
+    collect_dimensions("", root, &mut found);
+    found
+}
+
+fn collect_dimensions(path: &str, table: &TableShape, found: &mut BTreeMap<String, Dimension>) {
+    for field in &table.fields {
+        let path = dotted(path, field.key);
+        for inner in field.shape.tables() {
+            collect_dimensions(&path, inner, found);
+        }
+        if let Some(dimension) = field.shape.dimension() {
+            found.entry(path).or_insert(dimension);
+        }
+    }
 }
 
 /// The SI unit of each key whose value is a number or several, as in messages: `dimensionless` for one without.

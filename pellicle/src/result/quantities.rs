@@ -6,7 +6,7 @@
 
 use super::quantity::{Measure, Part, Quantity, Value};
 use crate::display::Unit;
-use crate::summary::StepSummary;
+use crate::summary::{RunSummary, StepSummary};
 
 /// Declares the numbers, each as `key "name" "symbol" unit, part "meaning" = value, within error`.
 macro_rules! quantities {
@@ -142,8 +142,21 @@ quantities! {
         = |step| Some(step.work.operator_applications);
 }
 
-/// The numbers in the table of a curve for human readers.
-pub const OF_A_CURVE: [&str; 4] = ["force", "penetration", "max_pressure", "contact_area"];
+/// The numbers in the table of a curve for human readers, or of a body that wears.
+#[must_use]
+pub fn of_a_curve(run: &RunSummary) -> [&'static Quantity; 4] {
+    let keys = if run.steps.iter().any(|step| step.wear.is_some()) {
+        [
+            "wear.distance",
+            "wear.max_depth",
+            "max_pressure",
+            "contact_area",
+        ]
+    } else {
+        ["force", "penetration", "max_pressure", "contact_area"]
+    };
+    keys.map(|key| of_key(key).unwrap_or(&QUANTITIES[0]))
+}
 
 /// The number with this key.
 #[must_use]

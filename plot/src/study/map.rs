@@ -135,7 +135,7 @@ impl MapPicture {
             count(&|value, error| value.is_some() && error == Some(SampleError::NotResolved));
         let told = [
             (gaps, "×", "no certified result"),
-            (open, "±?", "the error is not resolved on the grid"),
+            (open, "±?", "error not resolved"),
         ];
         let told = told.into_iter().filter(|(count, ..)| *count > 0);
         let all = self.samples.len();

@@ -47,28 +47,19 @@ fn text(path: &str, value: &Value, units: Units) -> String {
         }
         Value::String(text) => text.clone(),
         Value::Number(number) if number.is_f64() => {
-            let path = path
-                .strip_suffix(".from")
-                .or(path.strip_suffix(".to"))
-                .unwrap_or(path);
-            real(key_of(path), number.as_f64().unwrap_or(f64::NAN), units)
+            real(path, number.as_f64().unwrap_or(f64::NAN), units)
         }
         other => other.to_string(),
     }
 }
 
-/// Formats a number as suits its key.
-fn real(key: &str, value: f64, units: Units) -> String {
-    match key_dimension::of_key(key) {
+/// Formats a number as suits its place.
+fn real(path: &str, value: f64, units: Units) -> String {
+    match key_dimension::of_path(path) {
         Some(dimension) => dimensional(value, dimension, units),
         None if value != 0.0 && value.abs() < 1e-3 => format!("{value:e}"),
         None => value.to_string(),
     }
-}
-
-/// The last key of a path.
-fn key_of(path: &str) -> &str {
-    path.rsplit('.').next().unwrap_or(path)
 }
 
 #[cfg(test)]

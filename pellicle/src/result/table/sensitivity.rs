@@ -56,8 +56,7 @@ impl SensitivityColumns {
     }
 }
 
-/// The SI unit of a parameter of a case, from the last part of its key.
+/// The SI unit of a parameter of a case.
 fn si_unit(key: &str) -> &'static str {
-    let last = key.rsplit('.').next().unwrap_or_default();
-    key_dimension::of_key(last).map_or("1", Dimension::si_unit)
+    key_dimension::of_path(key).map_or("1", Dimension::si_unit)
 }
