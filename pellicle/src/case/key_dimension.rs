@@ -10,8 +10,8 @@ use crate::input::dimension::Dimension;
 static DIMENSIONS: LazyLock<BTreeMap<String, Dimension>> =
     LazyLock::new(|| dimensions(&Case::shape()));
 
-/// The dimension of the value at a path such as `foundation.layer[0].thickness`, or of the ends of its range; none if it
-/// is a number without a unit, or no number.
+/// The dimension of the value at a path such as `foundation.layer[0].thickness`, or of the ends of its range; none if
+/// it is a number without a unit, or no number.
 #[must_use]
 pub fn of_path(path: &str) -> Option<Dimension> {
     let keys = path
