@@ -117,8 +117,8 @@ fn table(run: &RunSummary) -> String {
     let width = width.map_or(LEAST_WIDTH, |longest| LEAST_WIDTH.max(longest + 1));
     let row = |step: String, cells: [String; 4], last: String| {
         let cells = cells.into_iter().chain([last]);
-        let cells: String = cells.map(|cell| format!("{cell:>width$}")).collect();
-        format!("{step:>6}{cells}\n")
+        let cells: Vec<_> = cells.map(|cell| format!("{cell:>width$}")).collect();
+        format!("{step:>6}{}\n", cells.concat())
     };
     let names = quantities.map(|of| of.name.to_owned());
     let mut text = row("step".into(), names, "certificate".into());
