@@ -24,7 +24,7 @@ use crate::templates::Template;
 #[command(name = "pellicle", version, arg_required_else_help = true)]
 #[command(
     after_help = "Exit codes: 0 solved and certified, 1 not converged, beyond the model, or cut off by the domain or a map (result written and marked), \
-                        2 the case or the command line is wrong, 130 stopped by Ctrl-C."
+                        2 the case or the command line is wrong, 3 a fit that is a misfit, 130 stopped by Ctrl-C."
 )]
 pub struct Arguments {
     /// The command.

@@ -66,4 +66,5 @@ mod study_report;
 mod surface;
 mod tables;
 mod two_bodies;
+mod wear;
 mod writing;

@@ -44,8 +44,8 @@ fn number_table(found: &EvaluationResult, of: &[IndentationNumber]) -> NumberTab
         };
         of.iter().map(word).collect()
     };
-    let contacts = found.indentation.iter();
-    let contacts = contacts.map(|of| (text::name(of, &found.indentation), cells(&of.numbers)));
+    let contacts = found.indentation.iter().map(|of| cells(&of.numbers));
+    let contacts = text::names(&found.indentation).into_iter().zip(contacts);
     let repeats = found.repeats.iter().map(|of| {
         let name = format!("mean of {} curves, ± their scatter", of.curves.len());
         (name, cells(&of.numbers))

@@ -38,43 +38,42 @@ pub fn text(result: &EvaluationResult) -> String {
 
 /// The contacts of one file.
 fn of_file(contacts: &[Indentation]) -> String {
-    let unloading = |of: &Indentation| format!("  {}\n{}", name(of, contacts), lines(&of.numbers));
+    let count = contacts.len();
     if !contacts.iter().all(|of| of.is_reading) {
-        return contacts.iter().map(unloading).collect();
+        let all = names(contacts).into_iter().zip(contacts);
+        let all = all.map(|(name, of)| format!("  {name}\n{}", lines(&of.numbers)));
+        return all.collect::<Vec<_>>().concat();
     }
-    let (count, steps) = (contacts.len(), contacts.len().min(READINGS));
-    let lines: String = (1..=steps)
-        .map(|step| reading(&contacts[(step * count).div_ceil(steps) - 1]))
-        .collect();
-    let file = &contacts[0].file;
+    let steps = count.min(READINGS);
+    let places = (1..=steps).map(|step| (step * count).div_ceil(steps) - 1);
+    let readings: Vec<_> = places.map(|place| reading(&contacts[place])).collect();
+    let (file, table) = (&contacts[0].file, super::table::FILE);
     format!(
-        "  {file}: {count} readings, all in {}\n{lines}",
-        super::table::FILE
+        "  {file}: {count} readings, all in {table}\n{}",
+        readings.concat()
     )
 }
 
-/// The name of a contact: its file, and which unloading of several.
+/// The name of each contact: its file, and which of several in it.
 #[must_use]
-pub fn name(of: &Indentation, all: &[Indentation]) -> String {
-    let of_file: Vec<usize> = all
-        .iter()
-        .filter(|one| one.file == of.file)
-        .map(|one| one.curve)
-        .collect();
-    match (
-        of_file.as_slice(),
-        of_file.iter().position(|one| *one == of.curve),
-    ) {
-        ([_, _, ..], Some(place)) => {
+pub fn names(contacts: &[Indentation]) -> Vec<String> {
+    let of_file = |contacts: &[Indentation]| -> Vec<String> {
+        let count = contacts.len();
+        let name = |(place, of): (usize, &Indentation)| {
             let what = if of.is_reading {
                 "reading"
             } else {
                 "unloading"
             };
-            format!("{}, {what} {} of {}", of.file, place + 1, of_file.len())
-        }
-        _ => of.file.clone(),
-    }
+            match count {
+                1 => of.file.clone(),
+                _ => format!("{}, {what} {} of {count}", of.file, place + 1),
+            }
+        };
+        contacts.iter().enumerate().map(name).collect()
+    };
+    let files = contacts.chunk_by(|one, next| one.file == next.file);
+    files.flat_map(of_file).collect()
 }
 
 /// Modulus and hardness at a depth, on one line.

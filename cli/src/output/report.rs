@@ -36,7 +36,7 @@ struct RunPage<'a> {
     /// The worst status of a step.
     worst: Status,
     /// The names of the numbers in the table of the curve.
-    columns: [String; 4],
+    columns: Vec<String>,
     curve: Vec<CurveRow>,
     steps: Vec<StepSection<'a>>,
     /// Sentences on the critical loads, the smallest load first.
@@ -51,7 +51,7 @@ struct RunPage<'a> {
 
 /// A loading step in the table of the curve.
 struct CurveRow {
-    cells: [String; 4],
+    cells: Vec<String>,
     status: Status,
 }
 
@@ -75,7 +75,7 @@ pub fn html(summary: &RunSummary, steps: &[StepDrawings], run: &RunDrawings) -> 
         domain: domain(summary),
         element_side: metres(summary.grid.element_side),
         worst: (summary.steps.iter().map(StepSummary::verdict).max()).unwrap_or_default(),
-        columns: of_a_curve(summary).map(Quantity::title),
+        columns: (of_a_curve(summary).into_iter().map(Quantity::title)).collect(),
         curve: summary
             .steps
             .iter()
@@ -118,7 +118,9 @@ pub fn of_run(run: &Run) -> String {
 
 fn row(summary: &RunSummary, step: &StepSummary) -> CurveRow {
     CurveRow {
-        cells: of_a_curve(summary).map(|of| of.words(step, summary).unwrap_or_default()),
+        cells: (of_a_curve(summary).iter())
+            .map(|of| of.words(step, summary).unwrap_or_default())
+            .collect(),
         status: step.verdict(),
     }
 }

@@ -113,18 +113,19 @@ fn work(step: &StepSummary) -> String {
 
 fn table(run: &RunSummary) -> String {
     let quantities = of_a_curve(run);
-    let width = quantities.map(|of| of.name.len()).into_iter().max();
-    let width = width.map_or(LEAST_WIDTH, |longest| LEAST_WIDTH.max(longest + 1));
-    let row = |step: String, cells: [String; 4], last: String| {
+    let longest = quantities.iter().map(|of| of.name.len()).max();
+    let width = LEAST_WIDTH.max(longest.map_or(0, |longest| longest + 1));
+    let row = |step: String, cells: Vec<String>, last: String| {
         let cells = cells.into_iter().chain([last]);
         let cells: Vec<_> = cells.map(|cell| format!("{cell:>width$}")).collect();
         format!("{step:>6}{}\n", cells.concat())
     };
-    let names = quantities.map(|of| of.name.to_owned());
+    let names = quantities.iter().map(|of| of.name.to_owned()).collect();
     let mut text = row("step".into(), names, "certificate".into());
     for (i, step) in run.steps.iter().enumerate() {
-        let words = quantities.map(|of| of.words(step, run).unwrap_or_default());
-        text.push_str(&row(i.to_string(), words, certificate(step)));
+        let words = quantities.iter();
+        let words = words.map(|of| of.words(step, run).unwrap_or_default());
+        text.push_str(&row(i.to_string(), words.collect(), certificate(step)));
     }
     text
 }

@@ -358,3 +358,54 @@ fn threads_may_be_chosen_for_evaluations_too() {
         assert_eq!(again.stdout, ran.stdout, "{}", again.stderr);
     }
 }
+
+/// Readings of a continuous stiffness on 72 GPa by a Berkovich tip: `S = 2 E_r √(24.5/π) h_c`, `P = 9.5 GPa · 24.5 h_c²`,
+/// `h = h_c + 0.75 P/S`, with 1/E_r of a rigid tip.
+fn continuous_stiffness(count: u32) -> String {
+    let mut text = String::from("depth (nm),force (mN),stiffness (N/m)\n");
+    let reduced = 72e9 / (1.0 - 0.17_f64.powi(2));
+    for i in 0..count {
+        let contact = 1e-9 * (100.0 + 2.0 * f64::from(i));
+        let force = 9.5e9 * 24.5 * contact * contact;
+        let stiffness = 2.0 * reduced * (24.5 / std::f64::consts::PI).sqrt() * contact;
+        let depth = contact + 0.75 * force / stiffness;
+        writeln!(text, "{},{},{stiffness}", depth * 1e9, force * 1e3).unwrap();
+    }
+    text
+}
+
+#[test]
+fn readings_of_a_continuous_stiffness_are_few_on_the_terminal_and_no_repeats_of_each_other() {
+    let fit = r#"
+        [[data]]
+        file = "csm.csv"
+        columns = { depth = "depth (nm)", force = "force (mN)", stiffness = "stiffness (N/m)" }
+        observe = "unloading"
+        [evaluation]
+        area_function = [24.5]
+        poisson_ratio = 0.17
+        indenter = "rigid"
+    "#;
+    let folder = TestFolder::new();
+    fs::write(folder.path("fit.toml"), fit).unwrap();
+    fs::write(folder.path("csm.csv"), continuous_stiffness(100)).unwrap();
+    let ran = folder.run(&["identify", "fit.toml", "--out", "found"]);
+    let printed: Vec<_> = ran
+        .stderr
+        .lines()
+        .filter(|line| line.contains("E_IT = "))
+        .collect();
+    assert_eq!(printed.len(), 8, "{}", ran.stderr);
+    assert!(printed.iter().all(|line| line.contains("E_IT = 72.00 GPa")));
+    assert!(printed[7].contains("h_c = 298.0 nm"), "{}", printed[7]);
+    assert!(
+        ran.stderr
+            .contains("csm.csv: 100 readings, all in indentation.csv")
+    );
+    let found: Value =
+        serde_json::from_slice(&fs::read(folder.path("found/fit.json")).unwrap()).unwrap();
+    assert_eq!(found["indentation"].as_array().unwrap().len(), 100);
+    assert_eq!(found["repeats"].as_array().unwrap().len(), 0);
+    let page = fs::read_to_string(folder.path("found/report.html")).unwrap();
+    assert!(page.contains("csm.csv, reading 100 of 100"));
+}

@@ -64,7 +64,7 @@ impl BeforeContact {
     /// Finds the stretch before the contact of a loading; none if there are too few points before the break.
     #[must_use]
     pub fn find(coordinate: &[f64], forces: &[f64]) -> Option<Self> {
-        let (contact, first, end) = if let Some(jump) = Jump::find(forces) {
+        let (contact, first, end) = if let Some(jump) = Jump::find(coordinate, forces) {
             let end = coordinate[jump.neck.checked_sub(1)?];
             (coordinate[jump.place], jump.place, end)
         } else {
@@ -193,30 +193,30 @@ const FAR: [usize; 3] = [2, 4, 8];
 /// The end of a contact that adhesion holds.
 #[derive(Debug, Clone, Copy)]
 struct Jump {
-    /// The place of the contact's end: the lowest force, far below those far from the contact; the first such force
-    /// where a neck is stretched over more than half of the points before.
+    /// The place of the contact's end: the lowest force, far below the line of those far from the contact; the first
+    /// such force where a neck is stretched over more than half of the points before.
     place: usize,
     /// The place of the first of the low forces in a row up to the lowest: that of a neck, if there is one.
     neck: usize,
 }
 
 impl Jump {
-    /// Finds the end; none if the lowest force is not far below the others.
-    fn find(forces: &[f64]) -> Option<Self> {
+    /// Finds the end; none if the lowest force is not far below the line of the others.
+    fn find(coordinate: &[f64], forces: &[f64]) -> Option<Self> {
         let lowest = (0..forces.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]))?;
         let largest = forces.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let jump = |part: &usize| {
-            let far = &forces[..lowest / part];
-            if far.len() < FEWEST_POINTS {
-                return None;
-            }
-            let count = far.len() as f64;
-            let mean = far.iter().sum::<f64>() / count;
-            let variance = far.iter().map(|force| (force - mean).powi(2)).sum::<f64>() / count;
-            let holds = |force: &f64| is_pull_off(mean - force, variance.sqrt(), largest - mean);
-            let first = forces.iter().position(&holds)?;
+            let far = (lowest / part, coordinate[lowest]);
+            let line =
+                BeforeContact::along(coordinate, forces, far, [f64::NEG_INFINITY, f64::INFINITY])?;
+            let deviation = line.noise.hypot(line.force_sd);
+            let holds = |place: usize| {
+                let below = line.force_at(coordinate[place]) - forces[place];
+                is_pull_off(below, deviation, largest - line.force)
+            };
+            let first = (0..forces.len()).find(|place| holds(*place))?;
             Some(if *part == FAR[0] {
-                let free = forces[..lowest].iter().rposition(|force| !holds(force));
+                let free = (0..lowest).rfind(|place| !holds(*place));
                 let neck = free.map_or(0, |free| free + 1);
                 Self {
                     place: lowest,
@@ -355,6 +355,18 @@ mod tests {
             "{found:?}"
         );
         assert!(found.shows_itself(&x, &y) && is_pull_off(7.5, found.noise, 28.0));
+    }
+
+    #[test]
+    fn a_line_that_falls_towards_the_contact_is_no_pull_off() {
+        // By 3 to 30 % of the largest force over the stretch: the lowest force is the last one before the contact.
+        for slope in [-0.03, -0.1, -0.3] {
+            let [x, y] = approach(2.0, 1.5, [1.0, slope, 0.002]);
+            let found = BeforeContact::find(&x, &y).unwrap();
+            assert!(found.shows_itself(&x, &y) || slope < -0.15, "{slope}");
+            assert!((found.contact - 1.0).abs() < 0.08, "{slope}: {found:?}");
+            assert!((found.slope - slope).abs() < 4.0 * found.slope_sd + 1e-3);
+        }
     }
 
     #[test]

@@ -299,6 +299,27 @@ mod tests {
     }
 
     #[test]
+    fn springs_beside_a_judged_body_are_told_of() {
+        let film = "kind = \"film\"\nthickness = 0.1\nyoung_modulus = 1";
+        for (surface, strength, stress, is_told) in [
+            (film, ", yield_strength = 1", "[stress]", true),
+            (film, "", "[stress]", false),
+            (film, ", yield_strength = 1", "", false),
+            ("kind = \"bare\"", ", yield_strength = 1", "[stress]", false),
+        ] {
+            let text = format!(
+                "[foundation]\nsubstrate = {{ young_modulus = 1, poisson_ratio = 0.3{strength} }}\n\
+                 [surface]\n{surface}\n[indenter]\nkind = \"sphere\"\nradius = 1\n[load]\nforce = 1e-3\n{stress}"
+            );
+            let source = Arc::new(Source::new("case.toml", text));
+            let case = Case::parse(&source, "case", Path::new(""), &[]).unwrap();
+            let mut warnings = case.warnings(1.0).into_iter();
+            let found = warnings.any(|warning| warning.code == "springs-not-judged");
+            assert_eq!(found, is_told, "{surface} {strength} {stress}");
+        }
+    }
+
+    #[test]
     fn strengths_of_a_body_whose_stresses_are_not_asked_for_are_told_of() {
         let strength = ", yield_strength = 1";
         for (foundation, indenter, stress, told) in [

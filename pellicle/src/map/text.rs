@@ -2,7 +2,7 @@
 //!
 //! Lines before the first line of numbers are the [head](MapHeader). Numbers are separated by commas, semicolons, tabs
 //! or spaces; a `#` starts a comment. If semicolons or blanks separate numbers, a comma is a decimal mark. Words such
-//! as `Bad` and `NaN` stand for heights that are missing.
+//! as `Bad`, `NaN` and `#N/A` stand for heights that are missing, and so does an empty cell, but for one at a line's end.
 
 use super::axes;
 use super::error::MapError;
@@ -18,8 +18,22 @@ const MIN_COLUMN_LINES: usize = 3;
 const PROFILE_LINES: usize = 8;
 
 /// Words for a missing height, in small letters.
-const MISSING: [&str; 9] = [
-    "nan", "bad", "-", "--", "---", "n/a", "na", "none", "masked",
+const MISSING: [&str; 15] = [
+    "nan",
+    "bad",
+    "-",
+    "--",
+    "---",
+    "n/a",
+    "na",
+    "none",
+    "null",
+    "masked",
+    "#n/a",
+    "1.#qnan",
+    "-1.#ind",
+    "1.#ind",
+    "-nan(ind)",
 ];
 
 /// Reads the text; each line is a row of the picture, from the top down, or a point x, y, z of a grid.
@@ -115,10 +129,18 @@ fn is_missing(word: &str) -> bool {
 
 /// The lines without their comments, counted from 1.
 fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let rows = text
-        .lines()
-        .map(|line| line.split_once('#').map_or(line, |(before, _)| before));
-    (1..).zip(rows)
+    (1..).zip(text.lines().map(|line| &line[..comment(line)]))
+}
+
+/// Where the comment of a line begins: at a `#` that belongs to no word for a missing height.
+fn comment(line: &str) -> usize {
+    let is_comment = |place: &usize| {
+        let is_of_number = line[..*place].ends_with("1.");
+        let rest = line.get(*place..*place + 4).unwrap_or_default();
+        !is_of_number && !rest.eq_ignore_ascii_case("#n/a")
+    };
+    let mut places = line.match_indices('#').map(|(place, _)| place);
+    places.find(is_comment).unwrap_or(line.len())
 }
 
 /// The meaning of a comma in a text.
@@ -151,10 +173,24 @@ impl Comma {
 
     /// Adds the numbers of a line.
     fn read(self, line: usize, row: &str, picture: &mut Vec<f64>) -> Result<(), MapError> {
-        let separator =
-            |c: char| c == ';' || c.is_whitespace() || (c == ',' && self == Self::Separator);
-        for word in row.split(separator).filter(|word| !word.is_empty()) {
-            picture.push(number(line, word)?);
+        let row = row.trim_matches([' ', '\r']);
+        let separator = match self {
+            _ if row.contains(';') => ';',
+            Self::Separator => ',',
+            Self::DecimalMark => '\t',
+        };
+        if row.is_empty() {
+            return Ok(());
+        }
+        let cells = row.strip_suffix(separator).unwrap_or(row).split(separator);
+        for cell in cells {
+            let mut words = cell.split_whitespace().peekable();
+            if words.peek().is_none() {
+                picture.push(f64::NAN);
+            }
+            for word in words {
+                picture.push(number(line, word)?);
+            }
         }
         Ok(())
     }
@@ -217,6 +253,28 @@ mod tests {
             assert_eq!(
                 (map.shape, &map.heights[..]),
                 ([2, 2], &[3.0, 1.0, 4.0, 2.0][..]),
+                "{text:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn an_empty_cell_is_a_missing_height_and_none_moves_its_neighbours() {
+        for text in [
+            "1,,3\n,5,6",
+            "1;;3\n;5;6;\n",
+            "1\t\t3\n\t5\t6\n",
+            "1, ,3,\n ,5,6,",
+            "1 #N/A 3\n1.#QNAN 5 6 # the last",
+        ] {
+            let map = parse(text.as_bytes()).unwrap();
+            assert_eq!(map.shape, [3, 2], "{text:?}");
+            let is_missing = map.heights.iter().map(|height| height.is_nan());
+            let missing: Vec<_> = is_missing.collect();
+            // The columns one after the other, each from the bottom up.
+            assert_eq!(
+                missing,
+                [true, false, false, true, false, false],
                 "{text:?}"
             );
         }

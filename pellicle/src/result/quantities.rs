@@ -144,7 +144,7 @@ quantities! {
 
 /// The numbers in the table of a curve for human readers, or of a body that wears.
 #[must_use]
-pub fn of_a_curve(run: &RunSummary) -> [&'static Quantity; 4] {
+pub fn of_a_curve(run: &RunSummary) -> Vec<&'static Quantity> {
     let keys = if run.steps.iter().any(|step| step.wear.is_some()) {
         [
             "wear.distance",
@@ -155,7 +155,7 @@ pub fn of_a_curve(run: &RunSummary) -> [&'static Quantity; 4] {
     } else {
         ["force", "penetration", "max_pressure", "contact_area"]
     };
-    keys.map(|key| of_key(key).unwrap_or(&QUANTITIES[0]))
+    keys.into_iter().filter_map(of_key).collect()
 }
 
 /// The number with this key.
