@@ -359,8 +359,8 @@ fn threads_may_be_chosen_for_evaluations_too() {
     }
 }
 
-/// Readings of a continuous stiffness on 72 GPa by a Berkovich tip: `S = 2 E_r √(24.5/π) h_c`, `P = 9.5 GPa · 24.5 h_c²`,
-/// `h = h_c + 0.75 P/S`, with 1/E_r of a rigid tip.
+/// Readings of a continuous stiffness on 72 GPa by a rigid Berkovich tip: `S = 2 E_r √(24.5/π) h_c`,
+/// `P = 9.5 GPa · 24.5 h_c²`, `h = h_c + 0.75 P/S`.
 fn continuous_stiffness(count: u32) -> String {
     let mut text = String::from("depth (nm),force (mN),stiffness (N/m)\n");
     let reduced = 72e9 / (1.0 - 0.17_f64.powi(2));

@@ -2,7 +2,8 @@
 //!
 //! Lines before the first line of numbers are the [head](MapHeader). Numbers are separated by commas, semicolons, tabs
 //! or spaces; a `#` starts a comment. If semicolons or blanks separate numbers, a comma is a decimal mark. Words such
-//! as `Bad`, `NaN` and `#N/A` stand for heights that are missing, and so does an empty cell, but for one at a line's end.
+//! as `Bad`, `NaN` and `#N/A` stand for heights that are missing, and so does an empty cell, but for one at a line's
+//! end.
 
 use super::axes;
 use super::error::MapError;
