@@ -13,8 +13,8 @@ struct EvaluationPage<'a> {
     found: &'a EvaluationResult,
     /// The symbol and the meaning of every number.
     heads: Vec<(&'static str, &'static str)>,
-    /// What is asked for, then the other numbers.
-    tables: [NumberTable; 2],
+    /// What is asked for, then the other numbers, each table as wide as a page.
+    tables: Vec<NumberTable>,
     drawings: &'a [String],
 }
 
@@ -26,7 +26,7 @@ struct NumberTable {
     rows: Vec<(String, Vec<String>)>,
 }
 
-/// The numbers of the first table, which is as wide as a page.
+/// The numbers of the first table.
 const FIRST: [IndentationNumber; 6] = [
     IndentationNumber::IndentationModulus,
     IndentationNumber::IndentationHardness,
@@ -35,6 +35,9 @@ const FIRST: [IndentationNumber; 6] = [
     IndentationNumber::ContactStiffness,
     IndentationNumber::Area,
 ];
+
+/// Numbers of each further table: a narrow window shows them all.
+const COLUMNS: usize = 4;
 
 fn number_table(found: &EvaluationResult, of: &[IndentationNumber]) -> NumberTable {
     let cells = |numbers: &[Option<Uncertain>]| {
@@ -65,7 +68,9 @@ pub fn html(found: &EvaluationResult, drawings: &[String]) -> String {
     let page = EvaluationPage {
         found,
         heads: heads.into(),
-        tables: [number_table(found, &FIRST), number_table(found, &others)],
+        tables: ([&FIRST[..]].into_iter().chain(others.chunks(COLUMNS)))
+            .map(|of| number_table(found, of))
+            .collect(),
         drawings,
     };
     page.to_string()

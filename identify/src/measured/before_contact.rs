@@ -214,7 +214,11 @@ impl Jump {
                 let below = line.force_at(coordinate[place]) - forces[place];
                 is_pull_off(below, deviation, largest - line.force)
             };
-            let first = (0..forces.len()).find(|place| holds(*place))?;
+            // The error of the line is known at the lowest force, and smaller before it.
+            if !holds(lowest) {
+                return None;
+            }
+            let first = (0..lowest).find(|place| holds(*place)).unwrap_or(lowest);
             Some(if *part == FAR[0] {
                 let free = (0..lowest).rfind(|place| !holds(*place));
                 let neck = free.map_or(0, |free| free + 1);
