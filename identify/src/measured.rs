@@ -14,6 +14,7 @@ pub mod curve;
 pub mod curve_segment;
 pub(crate) mod cycles;
 pub mod data_table;
+pub mod decimal_mark;
 pub mod depth_step;
 pub mod error;
 pub mod exclusion;

@@ -1,6 +1,7 @@
 //! Forces and penetrations of an adhesive contact over its radius.
 
 use std::cell::RefCell;
+use std::collections::VecDeque;
 use std::f64::consts::PI;
 
 use super::law::{ADHESION_RANGE, AdhesionLaw};
@@ -12,7 +13,7 @@ use crate::path::domain::root_finding::where_zero;
 /// of the accuracy.
 const PLACE: f64 = 1e-7;
 
-/// Most steps of the search for a least value: factors of two that cross 90 decades.
+/// Most samples of the search for least values: factors of two that cross 90 decades.
 const MOST_STEPS: usize = 300;
 
 /// A work of adhesion and where it acts.
@@ -82,9 +83,16 @@ pub struct AdhesiveCurve {
     adhesion: Adhesion,
     /// Compliance in series, m/N.
     series: f64,
-    pull_off: AdhesiveContact,
-    last: AdhesiveContact,
+    pull_off: Turns,
+    last: Turns,
 }
+
+/// The contacts at which a quantity is least, from the widest inwards, each with a lower value than those before it.
+///
+/// On a stiff layer upon a soft body there are two: contacts narrow and wide beside the layer's thickness. A contact
+/// that is withdrawn leaves the branch that ends at the first, falls back to the next, and jumps out at the last.
+#[derive(Debug, Clone)]
+struct Turns(Vec<AdhesiveContact>);
 
 impl AdhesiveCurve {
     /// The curve.
@@ -107,17 +115,21 @@ impl AdhesiveCurve {
             profile,
             adhesion,
             series: 0.0,
-            pull_off: AdhesiveContact::APART,
-            last: AdhesiveContact::APART,
+            pull_off: Turns(Vec::new()),
+            last: Turns(Vec::new()),
         };
         match adhesion.law {
             AdhesionLaw::Dmt => {
-                curve.pull_off.force = -curve.adhesion.pull(profile)?;
-                curve.last = curve.pull_off;
+                let end = AdhesiveContact {
+                    force: -curve.adhesion.pull(profile)?,
+                    ..AdhesiveContact::APART
+                };
+                curve.pull_off = Turns(vec![end]);
+                curve.last = curve.pull_off.clone();
             }
             AdhesionLaw::Jkr => {
-                curve.pull_off = curve.least(|contact| contact.force)?;
-                curve.last = curve.least(|contact| contact.penetration)?;
+                curve.pull_off = curve.turns(|contact| contact.force)?;
+                curve.last = curve.turns(|contact| contact.penetration)?;
             }
         }
         Ok(curve)
@@ -132,7 +144,7 @@ impl AdhesiveCurve {
     pub fn behind_spring(mut self, compliance: f64) -> Result<Self, ContactError> {
         self.series = compliance;
         if self.adhesion.law == AdhesionLaw::Jkr {
-            self.last = self.least(|contact| contact.penetration + compliance * contact.force)?;
+            self.last = self.turns(|contact| contact.penetration + compliance * contact.force)?;
         }
         Ok(self)
     }
@@ -145,13 +157,26 @@ impl AdhesiveCurve {
     /// The contact under the least force, where it jumps out if the force is prescribed.
     #[must_use]
     pub fn pull_off(&self) -> AdhesiveContact {
-        self.pull_off
+        self.pull_off.last()
     }
 
     /// The contact at the least penetration, where it jumps out if the penetration is prescribed.
     #[must_use]
     pub fn last_contact(&self) -> AdhesiveContact {
-        self.last
+        self.last.last()
+    }
+
+    /// Where a contact that is withdrawn under a prescribed force leaves the branch of wide contacts: the
+    /// [pull-off](Self::pull_off), unless there are two branches.
+    #[must_use]
+    pub fn end_under_force(&self) -> AdhesiveContact {
+        self.pull_off.first()
+    }
+
+    /// The same under a prescribed penetration: the [last contact](Self::last_contact), unless there are two branches.
+    #[must_use]
+    pub fn end_under_penetration(&self) -> AdhesiveContact {
+        self.last.first()
     }
 
     /// The contact of this radius (m), stable or not; its errors are [`AdhesiveContact::errors`].
@@ -162,19 +187,19 @@ impl AdhesiveCurve {
         AdhesiveContact::of(&self.elasticity, self.profile, self.adhesion, radius)
     }
 
-    /// The stable contact under a prescribed force (N).
+    /// The stable contact under a prescribed force (N); of two the wider, which a withdrawn contact is.
     ///
     /// # Errors
     /// [`ContactError::BeyondPullOff`] if the force is below that of [`Self::pull_off`]; those of [`Self::at_radius`].
     pub fn at_force(&self, force: f64) -> Result<AdhesiveContact, ContactError> {
-        let pull_off = self.pull_off.force;
+        let pull_off = self.pull_off().force;
         if force.is_nan() || force < pull_off {
             return Err(ContactError::BeyondPullOff { force, pull_off });
         }
-        self.where_reached(self.pull_off, |contact| contact.force - force)
+        self.where_reached(&self.pull_off, |contact| contact.force - force)
     }
 
-    /// The stable contact at a prescribed penetration (m); none if it is below that of [`Self::last_contact`].
+    /// The stable contact at a prescribed penetration (m), of two the wider, which a withdrawn contact is; none if it is below that of [`Self::last_contact`].
     ///
     /// # Errors
     /// Those of [`Self::at_radius`].
@@ -182,10 +207,10 @@ impl AdhesiveCurve {
         &self,
         penetration: f64,
     ) -> Result<Option<AdhesiveContact>, ContactError> {
-        if penetration < self.approach(&self.last) {
+        if penetration < self.approach(&self.last_contact()) {
             return Ok(None);
         }
-        let found = self.where_reached(self.last, |contact| self.approach(contact) - penetration);
+        let found = self.where_reached(&self.last, |contact| self.approach(contact) - penetration);
         found.map(Some)
     }
 
@@ -200,7 +225,9 @@ impl AdhesiveCurve {
         let jump_in = self.at_penetration(0.0)?;
         // F d(D + c F) = d(U + c F²/2), and −∫ F d(D + c F) from the last contact to that at 0
         let energy = |of: &AdhesiveContact| of.energy + 0.5 * self.series * of.force.powi(2);
-        Ok(jump_in.map_or(0.0, |contact| energy(&self.last) - energy(&contact)))
+        Ok(jump_in.map_or(0.0, |contact| {
+            energy(&self.last_contact()) - energy(&contact)
+        }))
     }
 
     /// Tabor's number `μ = (R w²/(E*² z₀³))^{1/3}` (D. Tabor 1977): the height of the neck at pull-off over the range
@@ -216,7 +243,7 @@ impl AdhesiveCurve {
             return Ok(None);
         };
         let contact = match self.adhesion.law {
-            AdhesionLaw::Jkr => self.pull_off,
+            AdhesionLaw::Jkr => self.pull_off(),
             AdhesionLaw::Dmt => self.at_force(0.0)?,
         };
         let modulus = contact.stiffness / (2.0 * contact.radius);
@@ -225,10 +252,10 @@ impl AdhesiveCurve {
         Ok(Some(cube.cbrt()))
     }
 
-    /// A radius of the order of that at pull-off, m: where adhesion pulls back by the penetration on a half-space.
-    fn scale(&self) -> f64 {
-        let pulled =
-            |a: f64| (2.0 * PI * a * self.adhesion.work / self.elasticity.modulus()).sqrt();
+    /// A radius of the order of that at pull-off on a half-space of a modulus `E*` (Pa), m: where adhesion pulls back by
+    /// the penetration.
+    fn scale(&self, modulus: f64) -> f64 {
+        let pulled = |a: f64| (2.0 * PI * a * self.adhesion.work / modulus).sqrt();
         let rim = self.profile.rim();
         let ratio = |a: f64| {
             if a < rim {
@@ -240,63 +267,85 @@ impl AdhesiveCurve {
         where_zero(ratio).min(0.5 * rim)
     }
 
-    /// The contact with the least value: bracketed by factors of two, then by the golden section in the logarithm.
-    fn least(
-        &self,
-        value: impl Fn(&AdhesiveContact) -> f64,
-    ) -> Result<AdhesiveContact, ContactError> {
+    /// The contacts with the least values: bracketed by factors of two from the scale of the stiffest material to that
+    /// of the softest and as far beyond as the values fall, then by the golden section in the logarithm.
+    fn turns(&self, value: impl Fn(&AdhesiveContact) -> f64) -> Result<Turns, ContactError> {
         let at = |log: f64| {
-            self.at_radius(log.exp())
-                .map(|contact| (log, value(&contact)))
+            let contact = self.at_radius(log.exp())?;
+            Ok::<_, ContactError>((log, value(&contact)))
         };
         let two = std::f64::consts::LN_2;
-        let start = at(self.scale().ln())?;
-        let [below, above] = [at(start.0 - two)?, at(start.0 + two)?];
-        let (mut low, mut middle, mut high) = (below, start, above);
-        for _ in 0..MOST_STEPS {
-            if low.1 < middle.1 {
-                (low, middle, high) = (at(low.0 - two)?, low, middle);
-            } else if high.1 < middle.1 {
-                (low, middle, high) = (middle, high, at(high.0 + two)?);
-            } else {
+        let [widest, start] = self
+            .elasticity
+            .moduli()
+            .map(|modulus| self.scale(modulus).ln());
+        let mut samples = VecDeque::from([at(start)?]);
+        loop {
+            let (log, least) = samples[0];
+            let tried = at(log - two)?;
+            samples.push_front(tried);
+            if tried.1 > least || samples.len() > MOST_STEPS {
                 break;
             }
         }
-        while high.0 - low.0 > PLACE {
-            // The longer part is divided.
-            let golden = 0.381_966_011_250_105_1;
-            let is_right = high.0 - middle.0 > middle.0 - low.0;
-            let end = if is_right { high.0 } else { low.0 };
-            let tried = at(middle.0 + golden * (end - middle.0))?;
-            match (tried.1 < middle.1, is_right) {
-                (true, true) => (low, middle) = (middle, tried),
-                (true, false) => (high, middle) = (middle, tried),
-                (false, true) => high = tried,
-                (false, false) => low = tried,
+        while samples.len() < MOST_STEPS {
+            let [below, end] = [samples.len() - 2, samples.len() - 1].map(|place| samples[place]);
+            let is_rising = end.1 > below.1;
+            if is_rising && end.0 > widest {
+                break;
+            }
+            match at(end.0 + two) {
+                Ok(tried) => samples.push_back(tried),
+                // Layers are much thinner than so wide a contact, or the indenter ends.
+                Err(_) if is_rising => break,
+                Err(error) => return Err(error),
             }
         }
-        self.at_radius(middle.0.exp())
+        let mut turns: Vec<AdhesiveContact> = Vec::new();
+        for place in (1..samples.len() - 1).rev() {
+            let [low, middle, high] = [place - 1, place, place + 1].map(|place| samples[place]);
+            let is_turn = middle.1 <= low.1 && middle.1 < high.1;
+            if is_turn {
+                let found = self.at_radius(least_between([low, middle, high], at)?.exp())?;
+                if turns
+                    .last()
+                    .is_none_or(|before| value(&found) < value(before))
+                {
+                    turns.push(found);
+                }
+            }
+        }
+        Ok(Turns(turns))
     }
 
-    /// The contact beyond `first` at which an increasing quantity is no longer negative.
+    /// The widest contact on a rising branch at which a quantity, least at these turns, is no longer negative.
     fn where_reached(
         &self,
-        first: AdhesiveContact,
+        turns: &Turns,
         excess: impl Fn(&AdhesiveContact) -> f64,
     ) -> Result<AdhesiveContact, ContactError> {
-        if excess(&first) >= 0.0 {
-            return Ok(first);
-        }
+        let contacts = &turns.0;
+        let place = contacts.iter().position(|turn| excess(turn) < 0.0);
+        let Some(place) = place else {
+            return Ok(turns.last());
+        };
+        let first = contacts[place];
+        let end = place
+            .checked_sub(1)
+            .map_or(f64::INFINITY, |wider| contacts[wider].radius);
         let unit = if first.radius > 0.0 {
             first.radius
         } else {
-            self.scale()
+            self.scale(self.elasticity.modulus())
         };
         let failure = RefCell::new(None);
         let value = |ratio: f64| {
             let radius = unit * ratio;
             if radius <= first.radius {
                 return f64::NEG_INFINITY;
+            }
+            if radius >= end {
+                return f64::INFINITY;
             }
             match self.at_radius(radius) {
                 Ok(contact) => excess(&contact),
@@ -313,6 +362,42 @@ impl AdhesiveCurve {
             found => found,
         }
     }
+}
+
+impl Turns {
+    /// The turn of the widest contact.
+    fn first(&self) -> AdhesiveContact {
+        self.0.first().copied().unwrap_or(AdhesiveContact::APART)
+    }
+
+    /// The turn with the least value.
+    fn last(&self) -> AdhesiveContact {
+        self.0.last().copied().unwrap_or(AdhesiveContact::APART)
+    }
+}
+
+/// A place and a value there.
+type Sample = (f64, f64);
+
+/// The place of the least value between three samples, of which the middle one is the lowest, by the golden section.
+fn least_between(
+    [mut low, mut middle, mut high]: [Sample; 3],
+    at: impl Fn(f64) -> Result<Sample, ContactError>,
+) -> Result<f64, ContactError> {
+    while high.0 - low.0 > PLACE {
+        // The longer part is divided.
+        let golden = 0.381_966_011_250_105_1;
+        let is_right = high.0 - middle.0 > middle.0 - low.0;
+        let end = if is_right { high.0 } else { low.0 };
+        let tried = at(middle.0 + golden * (end - middle.0))?;
+        match (tried.1 < middle.1, is_right) {
+            (true, true) => (low, middle) = (middle, tried),
+            (true, false) => (high, middle) = (middle, tried),
+            (false, true) => high = tried,
+            (false, false) => low = tried,
+        }
+    }
+    Ok(middle.0)
 }
 
 impl AdhesiveContact {

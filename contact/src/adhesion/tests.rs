@@ -271,3 +271,49 @@ fn forces_below_the_pull_off_and_works_that_are_not_positive_are_refused() {
     let ball = AxisymmetricProfile::Sphere { radius: 1.0 };
     assert!(jkr(half_space(1.0), ball, 0.01).at_force(1e3).is_err());
 }
+
+/// A stiff skin of 0.1 µm on a gel, under a ball of 5 µm with 50 mJ/m²: narrow contacts are held by the skin, wide ones
+/// by the gel, and both have a least force and a least penetration.
+#[test]
+fn of_two_branches_the_wide_one_ends_first_and_the_lower_one_last() {
+    let material = |modulus, nu| Material::new(modulus, nu).unwrap();
+    let skin = Layer::new(1e-7, material(1e9, 0.3), Interface::Bonded).unwrap();
+    let body = Foundation::new(vec![skin], Base::HalfSpace(material(1e5, 0.49))).unwrap();
+    let ball = AxisymmetricProfile::Paraboloid { radius: 5e-6 };
+    let curve = jkr(AxisymmetricElasticity::new(&body.into()), ball, 0.05);
+    let steps: i32 = 400;
+    let radius = |step: i32| 1e-8 * 400_f64.powf(f64::from(step) / f64::from(steps));
+    let contacts: Vec<_> = (0..=steps)
+        .map(|step| curve.at_radius(radius(step)).unwrap())
+        .collect();
+    let turns = |value: fn(&AdhesiveContact) -> f64| {
+        let turns = contacts
+            .windows(3)
+            .filter(move |of| value(&of[1]) < value(&of[0]) && value(&of[1]) < value(&of[2]));
+        turns.map(|of| of[1]).collect::<Vec<_>>()
+    };
+    let [narrow, wide] = turns(|of| of.force)[..] else {
+        panic!("two turns of the force")
+    };
+    assert!(wide.force < 2.0 * narrow.force);
+    assert_near(curve.pull_off().force, wide.force, 1e-3);
+    assert_near(curve.end_under_force().force, wide.force, 1e-3);
+    let [narrow, wide] = turns(|of| of.penetration)[..] else {
+        panic!("two turns of the penetration")
+    };
+    assert!(narrow.penetration < wide.penetration);
+    assert_near(curve.last_contact().penetration, narrow.penetration, 1e-3);
+    let end = curve.end_under_penetration();
+    assert_near(end.penetration, wide.penetration, 1e-3);
+    // Above the end of the wide branch a withdrawn contact is wide, below it narrow.
+    for (penetration, is_wide) in [
+        (0.99 * end.penetration, true),
+        (1.01 * end.penetration, false),
+    ] {
+        let found = curve.at_penetration(penetration).unwrap().unwrap();
+        assert_near(found.penetration, penetration, 1e-12);
+        assert_eq!(found.radius > end.radius, is_wide, "{}", found.radius);
+        let further = curve.at_radius(1.001 * found.radius).unwrap();
+        assert!(further.penetration > found.penetration);
+    }
+}

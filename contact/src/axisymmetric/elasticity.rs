@@ -37,6 +37,7 @@ const STEP: f64 = 1e-3;
 #[derive(Debug, Clone)]
 pub struct AxisymmetricElasticity {
     modulus: f64,
+    moduli: [f64; 2],
     kernel: Option<LayerKernel>,
     /// Compliance η of springs between the bodies, m/Pa.
     springs: Option<f64>,
@@ -54,6 +55,7 @@ impl AxisymmetricElasticity {
     pub fn new(bodies: &ElasticBodies) -> Self {
         Self {
             modulus: bodies.surface_modulus(),
+            moduli: moduli(bodies),
             kernel: LayerKernel::new(bodies),
             springs: None,
         }
@@ -71,6 +73,12 @@ impl AxisymmetricElasticity {
     #[must_use]
     pub fn modulus(&self) -> f64 {
         self.modulus
+    }
+
+    /// `E*` of the softest and of the stiffest materials of both bodies, Pa.
+    #[must_use]
+    pub fn moduli(&self) -> [f64; 2] {
+        self.moduli
     }
 
     /// Whether springs lie between the bodies.
@@ -223,4 +231,19 @@ fn check(radius: f64, rim: f64) -> Result<(), ContactError> {
         return Err(ContactError::AxisymmetricRadius { radius, wanted });
     }
     Ok(())
+}
+
+/// `E*` of the softest and of the stiffest materials of both bodies, Pa; a rigid base is none.
+fn moduli(bodies: &ElasticBodies) -> [f64; 2] {
+    let compliances = bodies.each().map(|body| {
+        let materials = body.layers().iter().map(|layer| layer.material());
+        let materials = materials
+            .chain(body.base_material())
+            .chain([body.surface_material()]);
+        let compliances = materials.map(|material| 1.0 / material.plane_strain_modulus());
+        compliances.fold([0.0, f64::INFINITY], |[most, least], of| {
+            [f64::max(most, of), f64::min(least, of)]
+        })
+    });
+    [0, 1].map(|end| 1.0 / (compliances[0][end] + compliances[1][end]))
 }

@@ -397,11 +397,11 @@ fn adhesive_ends(
 ) -> Result<([f64; 2], f64), ContactError> {
     let largest = abscissae.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let (end, last, prescribed) = if request.observable.abscissa() == Reading::Force {
-        let end = curve.pull_off();
+        let end = curve.end_under_force();
         (end, curve.at_force(largest.max(end.force))?, end.force)
     } else {
         let curve = curve.behind_spring(request.series)?;
-        let end = curve.last_contact();
+        let end = curve.end_under_penetration();
         let last = curve.at_penetration(largest)?.unwrap_or(end);
         (end, last, end.penetration + request.series * end.force)
     };

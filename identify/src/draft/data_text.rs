@@ -7,7 +7,7 @@ use super::survey::Survey;
 use super::table_columns::{SurveyedColumn, SurveyedUnit};
 use super::words::{quoted, stated};
 use crate::measured::channel::Channel;
-use crate::measured::separator::DecimalMark;
+use crate::measured::decimal_mark::DecimalMark;
 use crate::measured::stated::StatedQuantity;
 
 /// A key with its value and what it rests on.

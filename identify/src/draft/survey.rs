@@ -9,10 +9,10 @@ use super::table_columns::{SurveyedColumn, SurveyedUnit, chosen, guesses, named}
 use super::{DraftError, DraftKind, spring_guess};
 use crate::measured::channel::Channel;
 use crate::measured::columns::{ColumnName, ColumnUnit, CurveColumns};
+use crate::measured::decimal_mark::DecimalMark;
 use crate::measured::error::CurveError;
 use crate::measured::raw_curve::RawCurve;
 use crate::measured::reading;
-use crate::measured::separator::DecimalMark;
 use crate::measured::sources::MeasurementSources;
 use crate::measured::spring::{self, HeightDirection, SpringConstant, SpringSource};
 use crate::measured::stated::{StatedNumber, StatedQuantity};

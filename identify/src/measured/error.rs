@@ -138,6 +138,28 @@ pub enum CurveError {
         /// An example of a unit.
         example: &'static str,
     },
+    /// A number whose digits may be grouped by thousands.
+    #[error(
+        "found \"{field}\" in row {row}, which is a number above a thousand or a fraction, and no number in the file \
+         shows which, wanted the other decimal mark, or numbers without separators of thousands"
+    )]
+    GroupedOrDecimal {
+        /// The text of the number.
+        field: String,
+        /// The row, from 1.
+        row: usize,
+    },
+    /// A number whose digits are grouped by the separator of the columns.
+    #[error(
+        "found {fields} in row {row}, one number in two fields, wanted numbers without separators of thousands, or \
+         quotation marks around them"
+    )]
+    GroupedBySeparator {
+        /// The fields.
+        fields: String,
+        /// The row, from 1.
+        row: usize,
+    },
     /// No row has a valid number in every requested column.
     #[error(
         "found {rows} rows, none with valid numbers in every column that is read, wanted at least one"
@@ -282,6 +304,8 @@ impl CurveError {
             Self::OtherUnit { .. } => "other-unit",
             Self::OtherQuantity { .. } => "other-quantity",
             Self::NoCalibration { .. } => "no-calibration",
+            Self::GroupedOrDecimal { .. } => "grouped-or-decimal",
+            Self::GroupedBySeparator { .. } => "grouped-by-separator",
             Self::NoNumbers { .. } => "no-numbers",
             Self::NoContact { .. } => "no-contact",
             Self::NoSuchMarker { .. } => "no-such-marker",
@@ -303,6 +327,7 @@ impl CurveError {
     pub fn keys(&self) -> Vec<String> {
         match self {
             Self::Encoding { .. } => vec!["text.encoding".into(), "text".into()],
+            Self::GroupedOrDecimal { .. } => vec!["text.decimal".into(), "text".into()],
             Self::SkipUntil { .. } => vec!["text.skip_until".into()],
             Self::NoSuchTable { .. } => vec!["text.table".into()],
             Self::NoSuchColumn { key, .. }
@@ -330,6 +355,7 @@ impl CurveError {
             | Self::Empty
             | Self::Binary { .. }
             | Self::NoTable { .. }
+            | Self::GroupedBySeparator { .. }
             | Self::NoNumbers { .. } => Vec::new(),
         }
     }

@@ -57,11 +57,13 @@ impl<'t> RawCurve<'t> {
         );
         let mut values = vec![Vec::with_capacity(table.rows.len()); places.len()];
         let (mut segments, mut markers) = (Vec::new(), Vec::new());
+        let numbers = RowNumbers { table, options };
         for row in &table.rows {
             let fields = table.separator.fields(row);
             let field = |place: usize| fields.get(place).copied().unwrap_or_default();
+            numbers.refuse_split(row, &fields)?;
             for ((place, factor), values) in places.iter().zip(&mut values) {
-                values.push(options.valid(field(*place)) * factor);
+                values.push(numbers.read(row, field(*place))? * factor);
             }
             segments.extend(segment.map(field));
             markers.extend(marker.map(field));
@@ -98,11 +100,65 @@ impl<'t> RawCurve<'t> {
     }
 }
 
-impl TextOptions {
-    /// The number of a field; NaN if it has none or marks an invalid value.
-    fn valid(&self, field: &str) -> f64 {
-        let number = self.decimal.number(field);
-        let valid = number.filter(|number| number.abs() <= self.invalid_above);
-        valid.unwrap_or(f64::NAN)
+/// The numbers of the rows of a table.
+struct RowNumbers<'a, 't> {
+    table: &'a TextTable<'t>,
+    options: &'a TextOptions,
+}
+
+impl RowNumbers<'_, '_> {
+    /// The number of a field of a row; NaN if it has none or marks an invalid value.
+    fn read(&self, row: &str, field: &str) -> Result<f64, CurveError> {
+        let decimal = self.options.decimal;
+        let grouped = || match decimal.grouped(field) {
+            Some(number) if self.has_decimals() => Ok(Some(number.value)),
+            None => Ok(None),
+            Some(_) => Err(CurveError::GroupedOrDecimal {
+                field: field.to_owned(),
+                row: self.number_of(row),
+            }),
+        };
+        let number = match decimal.number(field) {
+            None => grouped()?,
+            number => number,
+        };
+        let valid = number.filter(|number| number.abs() <= self.options.invalid_above);
+        Ok(valid.unwrap_or(f64::NAN))
+    }
+
+    /// Whether a number of the table has the decimal mark, so that the other one can only group digits.
+    fn has_decimals(&self) -> bool {
+        let is_in = |field: &str| self.options.decimal.is_in(field);
+        let mut rows = self.table.rows.iter();
+        rows.any(|row| self.table.separator.fields(row).into_iter().any(is_in))
+    }
+
+    /// Rejects a row in which the separator stands within a number, so that its fields are displaced.
+    fn refuse_split(&self, row: &str, fields: &[&str]) -> Result<(), CurveError> {
+        let named = self.table.header.len();
+        let columns = self.table.columns;
+        if fields.len() <= named.max(1) || (named == 0 && fields.len() <= columns) {
+            return Ok(());
+        }
+        let joined = |pair: &[&str]| {
+            let number = self
+                .table
+                .separator
+                .joined([pair[0], pair[1]], self.options.decimal);
+            number.filter(|number| number.is_certain || fields.len() > columns)
+        };
+        match fields.windows(2).find(|pair| joined(pair).is_some()) {
+            None => Ok(()),
+            Some(pair) => Err(CurveError::GroupedBySeparator {
+                fields: pair.join(" and "),
+                row: self.number_of(row),
+            }),
+        }
+    }
+
+    /// The number of a row, from 1.
+    fn number_of(&self, row: &str) -> usize {
+        let place = self.table.rows.iter().position(|found| *found == row);
+        place.map_or(0, |place| place + 1)
     }
 }

@@ -1,26 +1,6 @@
-//! Lines split into fields at a separator, and numbers with a decimal mark.
+//! Lines split into fields at a separator.
 
-/// The mark between the integer and the fractional part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum DecimalMark {
-    /// `0.5`.
-    Point,
-    /// `0,5`.
-    Comma,
-}
-
-impl DecimalMark {
-    /// Parses the number of a field, which may be NaN or infinite; none if it is not a number.
-    #[must_use]
-    pub fn number(self, field: &str) -> Option<f64> {
-        match self {
-            Self::Point => field.parse().ok(),
-            // In such a file a point would separate thousands.
-            Self::Comma if field.contains('.') => None,
-            Self::Comma => field.replacen(',', ".", 1).parse().ok(),
-        }
-    }
-}
+use super::decimal_mark::{DecimalMark, GroupedNumber};
 
 /// The separator between the fields of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,6 +45,20 @@ impl Separator {
             Self::Space => fields.filter(|field| !field.is_empty()).collect(),
             _ => fields.collect(),
         }
+    }
+
+    /// The number that two neighbouring fields make if this separator groups the digits of one, as in `1,009.5`.
+    pub(super) fn joined(
+        self,
+        [left, right]: [&str; 2],
+        decimal: DecimalMark,
+    ) -> Option<GroupedNumber> {
+        let mark = match self {
+            Self::Comma => ',',
+            Self::Space => ' ',
+            Self::Tab | Self::Semicolon => return None,
+        };
+        decimal.grouped(&format!("{left}{mark}{right}"))
     }
 
     fn is(self, c: char) -> bool {
@@ -150,13 +144,5 @@ mod tests {
         assert_eq!(of("1.0, 2.0", Point), Some(Separator::Comma));
         assert_eq!(of("Date: 3", Point), None);
         assert_eq!(of("10:41:06.5,1.0,2.0", Point), Some(Separator::Comma));
-    }
-
-    #[test]
-    fn with_decimal_commas_a_point_is_not_part_of_a_number() {
-        assert_eq!(DecimalMark::Comma.number("-1,25e-3"), Some(-1.25e-3));
-        assert_eq!(DecimalMark::Comma.number("1.234,5"), None);
-        assert_eq!(DecimalMark::Point.number("1,25"), None);
-        assert!(DecimalMark::Point.number("NaN").is_some_and(f64::is_nan));
     }
 }

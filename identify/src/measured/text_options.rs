@@ -7,7 +7,8 @@ use pellicle::input::decode::TextEncoding;
 use pellicle::input::diagnosis::{Diagnosis, Fault};
 use pellicle::input::table_reader::TableReader;
 
-use super::separator::{DecimalMark, Separator};
+use super::decimal_mark::DecimalMark;
+use super::separator::Separator;
 
 /// The format of the text of a measurement.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,9 +1,10 @@
 //! The table of numbers in a text: its beginning and end, its rows, and the headers of its columns.
 
+use super::decimal_mark::DecimalMark;
 use super::error::CurveError;
 use super::header::HeaderField;
 use super::header_lines::LinesAbove;
-use super::separator::{DecimalMark, Separator};
+use super::separator::Separator;
 use super::stated::StatedNumber;
 use super::text_options::TextOptions;
 

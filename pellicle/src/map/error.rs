@@ -96,6 +96,12 @@ pub enum MapError {
         /// Numbers on the first line.
         wanted: usize,
     },
+    /// Two maps in one file.
+    #[error("where line {line} begins a second map: a file holds one")]
+    Several {
+        /// Line, from 1.
+        line: usize,
+    },
     /// No numbers.
     #[error("which holds no numbers")]
     Empty,

@@ -47,12 +47,9 @@ impl MapHeader {
         let points = PointUnits::in_line(line);
         let is_told = |points: &PointUnits| self.points.is_none() || points.has_units();
         self.points = points.filter(is_told).or(self.points.take());
-        let line = line.trim_start_matches(['#', ' ', '\t']);
-        let split = line.split_once([':', '=']);
-        let Some((key, value)) = split.or_else(|| line.split_once(char::is_whitespace)) else {
+        let Some((key, value)) = entry(line) else {
             return Ok(());
         };
-        let (key, value) = (key.trim().to_lowercase(), value.trim());
         let number = with_point(value);
         let length = || quantity::parse(&number, Dimension::Length).ok();
         match key.as_str() {
@@ -70,6 +67,20 @@ impl MapHeader {
             _ => {}
         }
         Ok(())
+    }
+
+    /// Whether a line has a key of a head.
+    pub fn has_key(line: &str) -> bool {
+        const KEYS: [&str; 7] = [
+            "channel",
+            "width",
+            "height",
+            "pixel size",
+            "cellsize",
+            "ncols",
+            "nrows",
+        ];
+        entry(line).is_some_and(|(key, _)| KEYS.contains(&key.as_str()))
     }
 
     /// Numbers in a row of the picture: those of each line, or as the head says, however the lines are wrapped.
@@ -162,6 +173,14 @@ impl MapHeader {
         }
         Ok(())
     }
+}
+
+/// The key of a line in small letters, and its value.
+fn entry(line: &str) -> Option<(String, &str)> {
+    let line = line.trim_start_matches(['#', ' ', '\t']);
+    let split = line.split_once([':', '=']);
+    let (key, value) = split.or_else(|| line.split_once(char::is_whitespace))?;
+    Some((key.trim().to_lowercase(), value.trim()))
 }
 
 /// A value with a point in place of a decimal comma, `10,00 µm`.

@@ -59,11 +59,16 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     let mut header = MapHeader::default();
     (text.lines().take(head)).try_for_each(|line| header.read(line))?;
     let (mut picture, mut columns) = (Vec::new(), 0);
+    let mut other_head = None;
     for (line, row) in rows(text).skip(head) {
         let before = picture.len();
         comma.read(line, row, &mut picture)?;
         match picture.len() - before {
+            0 if columns > 0 && begins_map(text, line) => {
+                other_head.get_or_insert(line);
+            }
             0 => {}
+            _ if let Some(line) = other_head => return Err(MapError::Several { line }),
             found if columns == 0 => columns = found,
             // As many numbers as the head says may be wrapped anywhere.
             _ if header.has_columns() => {}
@@ -122,6 +127,12 @@ fn head(text: &str) -> usize {
         words.first().is_none_or(|word| !is_number(word)) && 2 * numbers <= words.len()
     };
     rows(text).take_while(|(_, row)| is_head(row)).count()
+}
+
+/// Whether a comment is a line of the head of a map.
+fn begins_map(text: &str, line: usize) -> bool {
+    let line = text.lines().nth(line - 1).unwrap_or_default();
+    line.trim_start().starts_with('#') && MapHeader::has_key(line)
 }
 
 fn is_missing(word: &str) -> bool {
@@ -352,6 +363,17 @@ mod tests {
         }
         let map = parse(b"x,y,z\n0,0,5\n1,0,6\n0,2,7\n1,2,8\n").unwrap();
         assert_eq!(map.shape, [2, 2]);
+    }
+
+    #[test]
+    fn two_maps_are_not_one() {
+        let head = |name: &str| format!("# Channel: {name}\n# Width: 4 um\n");
+        let [first, second] = ["Forward", "Backward"].map(head);
+        let message = parse(format!("{first}1 2\n3 4\n\n{second}5 6\n7 8\n").as_bytes());
+        let message = message.unwrap_err().to_string();
+        assert!(message.contains("line 6 begins a second map"), "{message}");
+        let map = parse(format!("{first}1 2\n# a remark\n3 4\n{second}").as_bytes());
+        assert_eq!(map.unwrap().shape, [2, 2]);
     }
 
     #[test]

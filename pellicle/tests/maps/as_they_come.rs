@@ -224,6 +224,10 @@ fn a_size_without_a_unit_has_that_of_its_key_or_the_scale_of_a_side() {
             "{codes:?}"
         );
     }
+    // On a domain as large as the map, with heights that are not flat beside it.
+    let found = case("m.asc", file("0.094").as_bytes(), "height_unit = \"mm\"\n").unwrap();
+    let mut warnings = found.warnings(1.316).into_iter();
+    assert!(warnings.any(|warning| warning.code == "map-in-metres"));
     // A size that the case gives a unit is one that a side may contradict.
     let twice = format!("{nm}lateral_unit = \"um\"\nside = \"6 um\"");
     let refused = case("m.asc", file("0.094").as_bytes(), &twice).unwrap_err();

@@ -13,6 +13,9 @@ use crate::input::units::Units;
 /// A tenth of a nanometre on a side of a centimetre; the heights of every measured surface have a larger range.
 const FLAT: f64 = 1e-8;
 
+/// Maps of heights have smaller sides, m; most are below a tenth of it.
+const LARGE: f64 = 1e-2;
+
 /// Rise of the least-squares plane across a map over the rms height above it with which a map counts as tilted. Of 600
 /// level scans cut out of larger self-affine surfaces, with Hurst exponents of 0.5 to 1, none had more than 19.
 const TILTED: f64 = 20.0;
@@ -157,10 +160,11 @@ fn oblong_pixels(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning
     })
 }
 
-/// The warning about a file without a unit, taken as metres, where that makes the map flat or the whole domain smaller
-/// than its pixels.
+/// The warning about a file without a unit, taken as metres, where that makes the map large or flat, or the whole
+/// domain smaller than its pixels.
 fn in_metres(table: &str, map: &MapCase, side: f64, units: Units) -> Option<CaseWarning> {
-    let is_absurd = map.pixel() > side || is_flat(map);
+    let is_large = map.sides.into_iter().any(|side| side > LARGE);
+    let is_absurd = is_large || map.pixel() > side || is_flat(map);
     let metres = |value| quantity(value, Unit::Metre, units);
     let [x, y] = map.sides.map(metres);
     (map.has_bare_sides && units == Units::Si && is_absurd).then(|| CaseWarning {
