@@ -11,10 +11,10 @@
 //! `−q` are one wave with independent phases, so its amplitude is that power times the cosine of a random angle: the
 //! root mean square of the samples is exact, that of the slopes scatters by some hundredths from seed to seed.
 
+use pellicle_fourier::{Complex, Transformed};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
-use rustfft::{FftPlanner, num_complex::Complex};
 
 /// A self-affine surface to be made.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,7 +77,7 @@ impl SelfAffine {
 }
 
 fn transform_lines(field: &mut [Complex<f64>], size: usize) {
-    let transform = FftPlanner::new().plan_fft_inverse(size);
+    let transform = f64::inverse(size);
     let lines = field.par_chunks_mut(size);
     lines.for_each(|line| transform.process(line));
 }

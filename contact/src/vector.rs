@@ -13,15 +13,34 @@ const SHORT: usize = 1 << 13;
 /// Partial sums, which let the processor do independent additions at once.
 const LANES: usize = 8;
 
-/// Returns the results of `of_part` for each part of `0 … length`, in order.
-pub fn by_parts<T: Send>(length: usize, of_part: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
-    let part = |first: usize| of_part(first * PART..((first + 1) * PART).min(length));
+/// The results of `of_part` for each part of a field, by its number, in order.
+///
+/// The work on a part is a trait object: the loop over threads, which is far longer, is compiled once for each type of
+/// result and not for each use.
+fn for_parts<T: Send>(length: usize, of_part: &(dyn Fn(usize) -> T + Sync)) -> Vec<T> {
     let parts = 0..length.div_ceil(PART);
     if length <= SHORT {
-        parts.map(part).collect()
+        parts.map(of_part).collect()
     } else {
-        parts.into_par_iter().map(part).collect()
+        parts.into_par_iter().map(of_part).collect()
     }
+}
+
+/// Hands each part of a field to `on_part`, with its number.
+fn on_parts(field: &mut [f64], on_part: &(dyn Fn(usize, &mut [f64]) + Sync)) {
+    let on_part = |(part, field): (usize, &mut [f64])| on_part(part, field);
+    if field.len() <= SHORT {
+        field.chunks_mut(PART).enumerate().for_each(on_part);
+    } else {
+        field.par_chunks_mut(PART).enumerate().for_each(on_part);
+    }
+}
+
+/// Returns the results of `of_part` for each part of `0 … length`, in order.
+pub fn by_parts<T: Send>(length: usize, of_part: impl Fn(Range<usize>) -> T + Sync) -> Vec<T> {
+    for_parts(length, &|part| {
+        of_part(part * PART..((part + 1) * PART).min(length))
+    })
 }
 
 /// The number in single precision, for preconditioners.
@@ -121,12 +140,7 @@ pub fn largest_of_part([a, b]: [&[f64]; 2], mask: &[bool], of: impl Fn(f64, f64)
 
 /// Applies `rule` to every element.
 pub fn each(y: &mut [f64], rule: impl Fn(&mut f64) + Sync) {
-    if y.len() <= SHORT {
-        y.iter_mut().for_each(rule);
-    } else {
-        y.par_chunks_mut(PART)
-            .for_each(|y| y.iter_mut().for_each(&rule));
-    }
+    on_parts(y, &|_, y| y.iter_mut().for_each(&rule));
 }
 
 /// `y ← y + α x`.
@@ -136,13 +150,10 @@ pub fn add_scaled(y: &mut [f64], alpha: f64, x: &[f64]) {
 
 /// Applies `rule` to every pair of elements.
 pub fn update<T: Sync>(y: &mut [f64], x: &[T], rule: impl Fn(&mut f64, &T) + Sync) {
-    let of_part = |(y, x): (&mut [f64], &[T])| y.iter_mut().zip(x).for_each(|(y, x)| rule(y, x));
-    if y.len() <= SHORT {
-        of_part((y, x));
-    } else {
-        let parts = y.par_chunks_mut(PART).zip(x.par_chunks(PART));
-        parts.for_each(of_part);
-    }
+    on_parts(y, &|part, y| {
+        let x = &x[part * PART..];
+        y.iter_mut().zip(x).for_each(|(y, x)| rule(y, x));
+    });
 }
 
 /// Applies `rule` to every triple of elements.
@@ -152,18 +163,12 @@ pub fn update_with<S: Sync, T: Sync>(
     y: &[T],
     rule: impl Fn(&mut f64, &S, &T) + Sync,
 ) {
-    let of_part = |(z, (x, y)): (&mut [f64], (&[S], &[T]))| {
-        let others = x.iter().zip(y);
+    on_parts(z, &|part, z| {
+        let others = x[part * PART..].iter().zip(&y[part * PART..]);
         z.iter_mut()
             .zip(others)
             .for_each(|(z, (x, y))| rule(z, x, y));
-    };
-    if z.len() <= SHORT {
-        of_part((z, (x, y)));
-    } else {
-        let others = x.par_chunks(PART).zip(y.par_chunks(PART));
-        z.par_chunks_mut(PART).zip(others).for_each(of_part);
-    }
+    });
 }
 
 #[cfg(test)]

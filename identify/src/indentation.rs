@@ -28,6 +28,7 @@ mod numbers;
 mod phases;
 mod reading;
 mod settings;
+mod stiffness_readings;
 mod uncertain;
 mod unloading;
 
@@ -38,10 +39,11 @@ pub use effective_indenter::{
     EffectiveIndenter, EffectiveIndenterError, EffectiveIndenterNumbers, UnloadingPoint,
 };
 pub use error::IndentationError;
-pub use evaluation::{EvaluatedCurve, IndentationCurve, evaluate, evaluate_stiffnesses};
+pub use evaluation::{EvaluatedCurve, IndentationCurve, evaluate};
 pub use number::IndentationNumber;
 pub use numbers::IndentationNumbers;
 pub use phases::Phases;
 pub use settings::{DepthZero, Drift, Epsilon, EvaluationSettings, IndenterMaterial, KnownBody};
+pub use stiffness_readings::evaluate_stiffnesses;
 pub use uncertain::Uncertain;
 pub use unloading::UnloadingFit;

@@ -5,14 +5,12 @@ use std::hint::black_box;
 use std::sync::Arc;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
+use pellicle_fourier::{Complex64, ComplexToReal, Fft, RealToComplex, Transformed};
 use pellicle_influence::{
     CoefficientTable, ConvolutionOperator, ElasticOperator, Sector, SectorGrid, love,
 };
 use pellicle_kernel::Material;
 use rayon::ThreadPoolBuilder;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::num_complex::Complex64;
-use rustfft::{Fft, FftPlanner};
 
 const SIZES: [usize; 5] = [128, 256, 512, 1024, 2048];
 
@@ -92,13 +90,12 @@ struct BarePair {
 impl BarePair {
     fn new(length: usize) -> Self {
         let half = length / 2 + 1;
-        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
         Self {
             length,
-            forward: real.plan_fft_forward(length),
-            inverse: real.plan_fft_inverse(length),
-            there: complex.plan_fft_forward(length),
-            back: complex.plan_fft_inverse(length),
+            forward: f64::real_forward(length),
+            inverse: f64::real_inverse(length),
+            there: f64::forward(length),
+            back: f64::inverse(length),
             field: vec![1.0; length * length],
             rows: vec![Complex64::default(); length * half],
             columns: vec![Complex64::default(); length * half],

@@ -64,8 +64,7 @@ impl CoefficientTable {
     ) -> Result<Self, InfluenceError> {
         check(element_side, size)?;
         let mut triangle = vec![0.0; size * (size + 1) / 2];
-        let mut rows = split_rows(&mut triangle);
-        rows.par_iter_mut().enumerate().for_each(|(m, row)| {
+        fill_rows(&mut triangle, &|m, row| {
             for (n, entry) in row.iter_mut().enumerate() {
                 *entry = coefficient([m, n]);
             }
@@ -166,6 +165,13 @@ fn check(element_side: f64, size: usize) -> Result<(), InfluenceError> {
         found: size,
         largest: LARGEST_SIZE,
     })
+}
+
+/// Fills each row of the triangle, by its number; compiled once for all coefficients.
+fn fill_rows(triangle: &mut [f64], fill: &(dyn Fn(usize, &mut [f64]) + Sync)) {
+    let mut rows = split_rows(triangle);
+    let rows = rows.par_iter_mut().enumerate();
+    rows.for_each(|(m, row)| fill(m, row));
 }
 
 /// The rows of the triangle, with 1, 2, 3 … entries.

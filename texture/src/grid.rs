@@ -192,21 +192,21 @@ impl Grid {
             .lengths
             .map(|length| if is_mirrored { length / 2 } else { 0 });
         let (copied, sampled) = field.split_at_mut(above * size);
-        let rows = sampled.par_chunks_exact_mut(size).zip(above..count);
-        rows.for_each(|(row, i)| {
-            let (copied, sampled) = row.split_at_mut(left);
+        fill_rows(sampled, size, &|row, values| {
+            let (copied, sampled) = values.split_at_mut(left);
             for (value, j) in sampled.iter_mut().zip(left..size) {
-                *value = function(self.point([i, j]));
+                *value = function(self.point([above + row, j]));
             }
             for (value, image) in copied.iter_mut().zip(sampled.iter().rev()) {
                 *value = *image;
             }
         });
         // Row i is the image of row N − 1 − i; for odd N the middle row is its own image.
-        let rows = copied.par_chunks_exact_mut(size).rev();
-        let images = sampled.par_chunks_exact(size).skip(count % 2);
-        rows.zip(images)
-            .for_each(|(row, image)| row.copy_from_slice(image));
+        let sampled = &*sampled;
+        fill_rows(copied, size, &|row, values| {
+            let image = above - 1 - row + count % 2;
+            values.copy_from_slice(&sampled[image * size..][..size]);
+        });
         field
     }
 
@@ -221,12 +221,9 @@ impl Grid {
     ) -> Vec<T> {
         let [rows, columns] = [self.lengths[0] - above, self.lengths[1] - left];
         let mut field = vec![T::default(); rows * columns];
-        let rows = field
-            .par_chunks_exact_mut(columns)
-            .zip(above..self.lengths[0]);
-        rows.for_each(|(row, i)| {
-            for (value, j) in row.iter_mut().zip(left..self.lengths[1]) {
-                *value = function(self.point([i, j]));
+        fill_rows(&mut field, columns, &|row, values| {
+            for (value, j) in values.iter_mut().zip(left..self.lengths[1]) {
+                *value = function(self.point([above + row, j]));
             }
         });
         field
@@ -237,6 +234,13 @@ impl Grid {
         let [rows, columns] = self.lengths;
         (0..rows).flat_map(move |i| (0..columns).map(move |j| self.point([i, j])))
     }
+}
+
+/// Fills each row of a field, by its number. The work on a row is a trait object, so that the loop over threads is
+/// compiled once for each type of value.
+fn fill_rows<T: Send>(field: &mut [T], columns: usize, fill: &(dyn Fn(usize, &mut [T]) + Sync)) {
+    let rows = field.par_chunks_exact_mut(columns).enumerate();
+    rows.for_each(|(row, values)| fill(row, values));
 }
 
 #[cfg(test)]

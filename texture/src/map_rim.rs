@@ -11,8 +11,8 @@
 
 use std::f64::consts::TAU;
 
+use pellicle_fourier::{Complex, Transformed};
 use rayon::prelude::*;
-use rustfft::{FftPlanner, num_complex::Complex};
 
 use crate::HeightMap;
 
@@ -111,8 +111,8 @@ enum Direction {
 /// Transforms a field along both axes, in place.
 fn transform(field: &mut [Complex<f64>], [rows, columns]: [usize; 2], direction: Direction) {
     let plan = |n: usize| match direction {
-        Direction::Forward => FftPlanner::new().plan_fft_forward(n),
-        Direction::Inverse => FftPlanner::new().plan_fft_inverse(n),
+        Direction::Forward => f64::forward(n),
+        Direction::Inverse => f64::inverse(n),
     };
     let along = plan(columns);
     let lines = field.par_chunks_mut(columns);

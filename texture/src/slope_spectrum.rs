@@ -4,8 +4,9 @@
 //! squared wavenumber is the mean square slope of a wave. Lines in both directions are taken together, so a direction
 //! without slope does not count. A parabola has no wave shorter than a third of its line, however finely it is sampled.
 
-use realfft::RealFftPlanner;
-use realfft::num_complex::Complex;
+use std::sync::Arc;
+
+use pellicle_fourier::{Complex, RealToComplex, Transformed};
 
 use crate::HeightMap;
 
@@ -57,7 +58,7 @@ impl SlopeSpectrum {
     /// Adds the mean over equally long lines along one direction, of samples this far apart (m). Lines of fewer than 16
     /// samples are ignored.
     pub fn add(&mut self, spacing: f64, lines: impl Iterator<Item = Vec<f64>>) {
-        let mut planner = RealFftPlanner::new();
+        let mut plan: Option<Arc<dyn RealToComplex<f64>>> = None;
         let (mut slopes, mut samples, mut count): (Vec<f64>, _, _) = (Vec::new(), 0, 0.0);
         for mut line in lines.filter(|line| line.len() >= MIN_SAMPLES) {
             let largest = line
@@ -66,7 +67,7 @@ impl SlopeSpectrum {
             self.rounding = self.rounding.max(ROUNDING * largest / spacing);
             taper(&mut line);
             samples = line.len();
-            let transform = planner.plan_fft_forward(samples);
+            let transform = plan.get_or_insert_with(|| f64::real_forward(samples));
             let mut amplitudes = transform.make_output_vec();
             if transform.process(&mut line, &mut amplitudes).is_err() {
                 continue;

@@ -47,7 +47,8 @@ pub fn all(curves: &[EvaluatedFile], settings: &EvaluationSettings) -> Vec<Warni
         let begun = curve.map_or(0.0, begun);
         if begun > BEGUN {
             let message = format!(
-                "the file begins at {} % of its largest force, without the loading: a larger force before it is not known,                  nor are works, and the depth and hardness at the largest force would be others",
+                "the file begins at {} % of its largest force, without the loading: a larger force before it is not known, \
+                 nor are works, and the depth and hardness at the largest force would be others",
                 significant(100.0 * begun, 2)
             );
             warn("unloading-alone", message);

@@ -151,6 +151,7 @@ impl FitResult {
         warnings.extend(of.outside_warnings());
         warnings.extend(of.causes(fit));
         warnings.extend(of.sharp_tip(fit));
+        warnings.extend(of.adhesion_law(fit));
         warnings.extend(of.evaluation_warnings());
         let (taken_as_exact, failure) = of.taken_as_exact(fit);
         warnings.extend(failure);

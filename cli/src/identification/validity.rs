@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use pellicle::case::adhesion::law_warning;
 use pellicle::display::significant;
 use pellicle_contact::{ContactError, LARGEST_SLOPE, Warning};
 use pellicle_identify::{Fit, ForwardError, Observable};
@@ -111,6 +112,21 @@ impl Identification {
         (slope > LARGEST_SLOPE).then(|| WarningResult {
             code: warning.code().into(),
             message: format!("{warning}; no point is left out for it"),
+        })
+    }
+
+    /// The warning that another law of adhesion holds at the fitted values.
+    pub(super) fn adhesion_law(&self, fit: &Fit) -> Option<WarningResult> {
+        let values: Vec<f64> = fit.estimates.iter().map(|of| of.value).collect();
+        let of_curve = |curve: usize| {
+            let law = self.model.curves()[curve].adhesion?.law;
+            let contacts = self.model.adhesive(curve, &values).ok()??;
+            law_warning(law, contacts.tabor_number().ok()??)
+        };
+        let found = (0..self.model.curves().len()).find_map(of_curve)?;
+        Some(WarningResult {
+            code: found.code.into(),
+            message: found.message,
         })
     }
 

@@ -137,3 +137,16 @@ fn what_cannot_tell_a_work_of_adhesion_is_refused_in_one_sentence() {
         assert!(output.stderr.contains(wanted), "{}", output.stderr);
     }
 }
+
+#[test]
+fn a_law_of_adhesion_that_does_not_hold_at_the_fitted_values_is_told() {
+    let is_told = |law: &str| {
+        let load = format!("load = {{ work_of_adhesion = \"0.1 mJ/m^2\", adhesion = \"{law}\" }}");
+        let found = fit(&curve(4), "segment = { part = \"unloading\" }", &load).json();
+        let warnings = found["warnings"].as_array().unwrap().clone();
+        let is_of_law = |of: &Value| of["code"] == "adhesion-law";
+        warnings.iter().any(is_of_law)
+    };
+    // Tabor's number is 280.
+    assert!(is_told("dmt") && !is_told("jkr"));
+}

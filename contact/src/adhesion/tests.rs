@@ -311,7 +311,8 @@ fn of_two_branches_the_wide_one_ends_first_and_the_lower_one_last() {
         (1.01 * end.penetration, false),
     ] {
         let found = curve.at_penetration(penetration).unwrap().unwrap();
-        assert_near(found.penetration, penetration, 1e-12);
+        // The accuracy of the contacts times what cancels in their penetration.
+        assert_near(found.penetration, penetration, 1e-9);
         assert_eq!(found.radius > end.radius, is_wide, "{}", found.radius);
         let further = curve.at_radius(1.001 * found.radius).unwrap();
         assert!(further.penetration > found.penetration);

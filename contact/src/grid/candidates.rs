@@ -105,10 +105,14 @@ impl Candidates {
 
 /// The elements of a square of `size` × `size` for which `belongs` holds, ascending.
 pub fn elements_where(size: usize, belongs: impl Fn([usize; 2]) -> bool + Sync) -> Vec<u32> {
-    let of_row = |row: usize| {
+    in_rows(size, &|row| {
         let columns = (0..size).filter(|column| belongs([row, *column]));
         columns.map(|column| short(row * size + column)).collect()
-    };
+    })
+}
+
+/// The elements of each row, one row after the other; compiled once for all rules.
+fn in_rows(size: usize, of_row: &(dyn Fn(usize) -> Vec<u32> + Sync)) -> Vec<u32> {
     let rows: Vec<Vec<u32>> = (0..size).into_par_iter().map(of_row).collect();
     rows.concat()
 }

@@ -7,6 +7,8 @@
 mod fields;
 mod places;
 
+use std::ops::Range;
+
 use pellicle_influence::{SectorGrid, SurfaceElasticity};
 use pellicle_texture::{Grid, TextureError};
 use rayon::prelude::*;
@@ -157,9 +159,7 @@ impl Region {
                 last: [i, last],
             })
         };
-        let rows = (above..above + rows).into_par_iter();
-        let rows = rows.with_min_len(self.rows_per_thread());
-        let extents: Vec<IndexRange> = rows.filter_map(of_row).collect();
+        let extents = self.in_rows(above..above + rows, &of_row);
         let extent = extents.into_iter().reduce(IndexRange::and)?;
         let first = |axis: usize| {
             if self.grid.mirrored()[axis] {
@@ -172,6 +172,16 @@ impl Region {
             first: [0, 1].map(first),
             ..extent
         })
+    }
+
+    /// The results of some rows, in order; compiled once for all rules.
+    fn in_rows(
+        &self,
+        rows: Range<usize>,
+        of_row: &(dyn Fn(usize) -> Option<IndexRange> + Sync),
+    ) -> Vec<IndexRange> {
+        let rows = rows.into_par_iter().with_min_len(self.rows_per_thread());
+        rows.filter_map(of_row).collect()
     }
 
     /// The region of `size` elements per row around the centre of an extent, moved into the grid; it begins at an axis

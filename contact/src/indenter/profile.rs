@@ -8,8 +8,19 @@ use rayon::prelude::*;
 /// Midpoints in the average over a circle; a smooth profile needs far fewer, one with kinks has an error of about
 /// 1/360².
 const ANGLES: u32 = 360;
-/// Smallest number of points per thread.
+/// Number of points of a thread at a time.
 const AT_ONCE: usize = 1024;
+
+/// The heights at some points, of so many at once. The work on them is a trait object, so that the loop over threads is
+/// compiled once and not for each shape.
+fn by_parts(points: &[[f64; 2]], of_part: &(dyn Fn(&[[f64; 2]], &mut [f64]) + Sync)) -> Vec<f64> {
+    let mut heights = vec![0.0; points.len()];
+    let parts = heights
+        .par_chunks_mut(AT_ONCE)
+        .zip(points.par_chunks(AT_ONCE));
+    parts.for_each(|(heights, points)| of_part(points, heights));
+    heights
+}
 
 /// The lower surface of a rigid indenter; [`custom`](crate::Indenter::custom) makes an [`Indenter`](crate::Indenter) of
 /// a shape of your own.
@@ -21,8 +32,10 @@ pub trait Profile: Debug + Send + Sync {
     /// The heights at some points (m), the same as those of [`height`](Self::height). Override this for shapes that are
     /// faster for many points at once.
     fn heights(&self, points: &[[f64; 2]]) -> Vec<f64> {
-        let points = points.par_iter().with_min_len(AT_ONCE);
-        points.map(|[x, y]| self.height(*x, *y)).collect()
+        by_parts(points, &|points, heights| {
+            let pairs = heights.iter_mut().zip(points);
+            pairs.for_each(|(height, [x, y])| *height = self.height(*x, *y));
+        })
     }
 
     /// Average of the height over the circle of the given radius about the axis, m; infinite if the indenter ends on

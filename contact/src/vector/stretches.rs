@@ -9,9 +9,7 @@ use std::{
     sync::Arc,
 };
 
-use rayon::prelude::*;
-
-use super::{LANES, PART, SHORT};
+use super::{LANES, PART, for_parts, on_parts};
 
 /// Ascending, disjoint stretches of a field; none crosses the border between two parts.
 pub struct Stretches {
@@ -55,12 +53,7 @@ impl Stretches {
     }
 
     fn from_parts(length: usize, of_part: impl Fn(usize) -> Vec<Range<usize>> + Sync) -> Self {
-        let parts = 0..length.div_ceil(PART);
-        let ranges: Vec<Vec<Range<usize>>> = if length <= SHORT {
-            parts.map(of_part).collect()
-        } else {
-            parts.into_par_iter().map(&of_part).collect()
-        };
+        let ranges = for_parts(length, &of_part);
         let mut before = vec![0];
         for ranges in &ranges {
             before.push(before[before.len() - 1] + ranges.len());
@@ -79,13 +72,7 @@ impl Stretches {
 
     /// Returns the results of `of_part` for the stretches of each part, in order.
     pub fn by_parts<T: Send>(&self, of_part: impl Fn(&[Range<usize>]) -> T + Sync) -> Vec<T> {
-        let parts = 0..self.before.len() - 1;
-        let of_part = |part: usize| of_part(self.of_part(part));
-        if self.length <= SHORT {
-            parts.map(of_part).collect()
-        } else {
-            parts.into_par_iter().map(of_part).collect()
-        }
+        for_parts(self.length, &|part| of_part(self.of_part(part)))
     }
 
     /// `Σ aᵢ bᵢ`.
@@ -177,17 +164,12 @@ impl Stretches {
     /// Applies `rule` to each stretch of a field.
     fn on_each(&self, field: &mut [f64], rule: impl Fn(&mut [f64], Range<usize>) + Sync) {
         assert_eq!(field.len(), self.length, "the stretches of this field");
-        let of_part = |(part, field): (usize, &mut [f64])| {
+        on_parts(field, &|part, field| {
             for range in self.of_part(part) {
                 let within = range.start - part * PART..range.end - part * PART;
                 rule(&mut field[within], range.clone());
             }
-        };
-        if self.length <= SHORT {
-            field.chunks_mut(PART).enumerate().for_each(of_part);
-        } else {
-            field.par_chunks_mut(PART).enumerate().for_each(of_part);
-        }
+        });
     }
 }
 

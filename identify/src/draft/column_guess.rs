@@ -7,7 +7,7 @@ use crate::measured::header::{HeaderField, HeaderUnit};
 use crate::measured::words::{lower_words, words};
 
 /// Words of columns that hold no quantity of the contact.
-const FOREIGN: [&str; 14] = [
+const FOREIGN: [&str; 19] = [
     "rate",
     "speed",
     "velocity",
@@ -22,7 +22,23 @@ const FOREIGN: [&str; 14] = [
     "area",
     "error",
     "temperature",
+    "set",
+    "command",
+    "programmed",
+    "demand",
+    "frame",
 ];
+/// Words of the oscillation on which a continuous stiffness rests: only the stiffness is one of the contact.
+const OSCILLATION: [&str; 6] = [
+    "harmonic",
+    "dynamic",
+    "amplitude",
+    "phase",
+    "oscillation",
+    "ac",
+];
+/// Words of a column that another one improves on.
+const UNCORRECTED: [&str; 2] = ["uncorrected", "nominal"];
 /// Words of columns of the way back.
 const WAY_BACK: [&str; 8] = [
     "retract",
@@ -51,6 +67,8 @@ const SYMBOLS: [(Channel, &[&str]); 6] = [
     ),
     (Channel::Depth, &["h", "d", "D", "δ", "disp", "Disp"]),
 ];
+/// What a word such as "measured" adds to the likeness.
+const MEASURED: i32 = 1;
 /// Differences of neighbouring times are equal to this part of their mean.
 const EVEN: f64 = 0.05;
 
@@ -87,6 +105,21 @@ pub(super) fn of_header(header: &[HeaderField]) -> Vec<ColumnGuess> {
     }
     found.extend(only_length(header, &found));
     found
+}
+
+/// The places of other columns that may as well be this quantity, but for how one is named before the other.
+pub(super) fn rivals(
+    header: &[HeaderField],
+    guesses: &[ColumnGuess],
+    of: ColumnGuess,
+) -> Vec<usize> {
+    let likeness = |place: usize| likeness(of.channel, header.get(place)?);
+    let least = likeness(of.place).unwrap_or(i32::MAX) - MEASURED;
+    let is_taken = |place: &usize| guesses.iter().any(|guess| guess.place == *place);
+    let others = (0..header.len()).filter(|place| !is_taken(place));
+    others
+        .filter(|place| likeness(*place).is_some_and(|found| found >= least))
+        .collect()
 }
 
 /// The only other length beside a force, if it has a name that says nothing: the depth.
@@ -132,6 +165,9 @@ fn likeness(channel: Channel, head: &HeaderField) -> Option<i32> {
     if channel == Channel::Depth && has(&["contact"]) {
         return None;
     }
+    if channel != Channel::Stiffness && has(&OSCILLATION) {
+        return None;
+    }
     let symbols = SYMBOLS.iter().find(|(of, _)| *of == channel);
     let is_symbol =
         symbols.is_some_and(|(_, symbols)| words.iter().any(|w| symbols.contains(&w.as_str())));
@@ -152,9 +188,9 @@ fn likeness(channel: Channel, head: &HeaderField) -> Option<i32> {
         (false, false, true) if tells_alone => 20,
         _ => return None,
     };
-    let back = 6 * i32::from(has(&WAY_BACK));
-    let measured = i32::from(has(&["measured", "sensor"]));
-    Some(likeness - back + measured)
+    let worse = 6 * i32::from(has(&WAY_BACK) || has(&UNCORRECTED));
+    let measured = MEASURED * i32::from(has(&["measured", "sensor", "corrected"]));
+    Some(likeness - worse + measured)
 }
 
 /// The columns of a table without header: two, the steeper of which is the force, and perhaps a time that goes in even
@@ -303,9 +339,42 @@ mod tests {
                 &[("height", 1), ("force", 2)],
             ),
             (&["Lateral Force (nN)", "voltage"], &[]),
+            (
+                &[
+                    "Set Load (mN)",
+                    "Dynamic Force (uN)",
+                    "Uncorrected Depth (nm)",
+                    "Load (mN)",
+                    "Depth (nm)",
+                    "Frame Stiffness (N/m)",
+                    "Dynamic Stiffness (N/m)",
+                ],
+                &[("force", 4), ("depth", 5), ("stiffness", 7)],
+            ),
         ] {
             assert_eq!(guessed(names), wanted, "{names:?}");
         }
+    }
+
+    #[test]
+    fn columns_that_may_as_well_be_meant_are_told() {
+        let names = [
+            "Load A (mN)",
+            "Load B (mN)",
+            "Depth (nm)",
+            "Unload Load (mN)",
+            "Depth rate (nm/s)",
+        ];
+        let header = names.map(HeaderField::new);
+        let guesses = of_header(&header);
+        let of = |channel| {
+            *guesses
+                .iter()
+                .find(|guess| guess.channel == channel)
+                .unwrap()
+        };
+        assert_eq!(rivals(&header, &guesses, of(Channel::Force)), [1]);
+        assert!(rivals(&header, &guesses, of(Channel::Depth)).is_empty());
     }
 
     #[test]

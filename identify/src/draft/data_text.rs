@@ -93,8 +93,21 @@ fn columns(survey: &Survey) -> Line {
         .columns
         .iter()
         .all(|column| !column.heading.is_empty());
+    let rivals = survey
+        .columns
+        .iter()
+        .filter(|column| !column.rivals.is_empty());
+    let rivals = rivals.map(|column| {
+        let other = |(number, heading): &(usize, String)| format!("{number}, {}", quoted(heading));
+        let others: Vec<_> = column.rivals.iter().map(other).collect();
+        format!(
+            "; the {} may as well be column {}",
+            column.channel.key(),
+            others.join(", or ")
+        )
+    });
     let why = if is_named {
-        numbers
+        numbers + &rivals.collect::<String>()
     } else {
         format!("{numbers}, which have no names: the force is the one that rises ever faster")
     };

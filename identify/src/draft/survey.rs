@@ -8,7 +8,7 @@ use super::history::History;
 use super::table_columns::{SurveyedColumn, SurveyedUnit, chosen, guesses, named};
 use super::{DraftError, DraftKind, spring_guess};
 use crate::measured::channel::Channel;
-use crate::measured::columns::{ColumnName, ColumnUnit, CurveColumns};
+use crate::measured::columns::{self, ColumnName, ColumnUnit, CurveColumns};
 use crate::measured::decimal_mark::DecimalMark;
 use crate::measured::error::CurveError;
 use crate::measured::raw_curve::RawCurve;
@@ -82,7 +82,7 @@ impl Survey {
         let stated_spring = StatedNumber::of(StatedQuantity::SpringConstant, &table.stated);
         let (chosen, is_cantilever) = chosen(&guesses, kind, stated_spring.is_some())
             .ok_or_else(|| not_understood(file, &table))?;
-        let mut columns = named(&chosen, &table);
+        let mut columns = named(&chosen, &guesses, &table);
         let mut raw = raw(&table, &columns, &options).map_err(curve_error)?;
         let sensitivity = StatedNumber::of(StatedQuantity::Sensitivity, &table.stated);
         assume_units(&mut columns, &mut raw, sensitivity);
@@ -189,7 +189,7 @@ fn raw(
         let unit = match &column.unit {
             SurveyedUnit::Stated(_) => None,
             SurveyedUnit::Assumed(unit) => {
-                let size = pellicle::input::quantity::one(unit, column.channel.dimension());
+                let size = columns::size(unit, column.channel.dimension());
                 Some(ColumnUnit::Value(size.unwrap_or(1.0)))
             }
             SurveyedUnit::Sensitivity(value) => Some(ColumnUnit::Value(*value)),

@@ -20,6 +20,8 @@ pub(super) struct SurveyedColumn {
     pub(super) is_unique: bool,
     /// Its unit.
     pub(super) unit: SurveyedUnit,
+    /// Numbers and headings of other columns that may as well be the quantity.
+    pub(super) rivals: Vec<(usize, String)>,
 }
 
 /// The unit of a column.
@@ -89,7 +91,12 @@ pub(super) fn chosen(
 }
 
 /// The columns chosen, with their headings.
-pub(super) fn named(chosen: &[ColumnGuess], table: &TextTable<'_>) -> Vec<SurveyedColumn> {
+pub(super) fn named(
+    chosen: &[ColumnGuess],
+    guesses: &[ColumnGuess],
+    table: &TextTable<'_>,
+) -> Vec<SurveyedColumn> {
+    let rival = |place: usize| (place + 1, table.header[place].text.clone());
     let column = |guess: &ColumnGuess| {
         let head = table.header.get(guess.place);
         let is_same = |other: &&HeaderField| head.is_some_and(|head| head.text == other.text);
@@ -103,16 +110,35 @@ pub(super) fn named(chosen: &[ColumnGuess], table: &TextTable<'_>) -> Vec<Survey
                     head.map(|head| head.unit_text.clone()).unwrap_or_default(),
                 ),
                 Some(HeaderUnit::Electrical) => SurveyedUnit::Sensitivity(1.0),
-                _ => SurveyedUnit::Assumed(assumed(guess.channel)),
+                _ => SurveyedUnit::Assumed(assumed(guess.channel, head)),
             },
+            rivals: column_guess::rivals(&table.header, guesses, *guess)
+                .into_iter()
+                .map(rival)
+                .collect(),
         }
     };
     chosen.iter().map(column).collect()
 }
 
+/// Units of mass in headers of loads, and the weight of one.
+const WEIGHTS: [(&str, &str); 7] = [
+    ("mg", "9.80665 uN"),
+    ("g", "9.80665 mN"),
+    ("kg", "9.80665 N"),
+    ("mgf", "9.80665 uN"),
+    ("gf", "9.80665 mN"),
+    ("kgf", "9.80665 N"),
+    ("kp", "9.80665 N"),
+];
+
 /// The unit in which instruments mostly write a quantity.
-fn assumed(channel: Channel) -> &'static str {
+fn assumed(channel: Channel, head: Option<&HeaderField>) -> &'static str {
+    let last = head.and_then(|head| head.text.split([' ', '(', '[', '/', ',']).next_back());
+    let last = last.map(|word| word.trim_end_matches([')', ']', ' ']));
+    let weight = WEIGHTS.iter().find(|(mass, _)| last == Some(*mass));
     match channel {
+        Channel::Force if let Some((_, weight)) = weight => weight,
         Channel::Force => "mN",
         Channel::Time => "s",
         Channel::Stiffness => "N/m",

@@ -5,9 +5,6 @@
 //! area function, β, ε, and both materials. Each source is moved by its standard uncertainty to both sides, and half
 //! the difference is its part; the parts of independent sources add in squares.
 
-use std::f64::consts::PI;
-
-use super::contact::Contact;
 use super::correction::DriftHold;
 use super::first_contact::first_contact;
 use super::inputs::Inputs;
@@ -118,49 +115,6 @@ pub fn evaluate(
             ..begins
         }),
     })
-}
-
-/// Evaluates readings of a continuous stiffness: depths (m), forces (N), stiffnesses (N/m), and where the instrument
-/// gives them contact radii (m), `√(A/π)`, in place of the area function.
-///
-/// # Errors
-///
-/// [`IndentationError`] if a reading has no such numbers.
-pub fn evaluate_stiffnesses(
-    [depth, force, stiffness]: [&[f64]; 3],
-    radius: Option<&[f64]>,
-    settings: &EvaluationSettings,
-) -> Result<Vec<IndentationNumbers>, IndentationError> {
-    let zero = match settings.depth_zero {
-        DepthZero::At(zero) => zero,
-        DepthZero::FirstContact => return Err(IndentationError::NoContact),
-        DepthZero::AsRecorded | DepthZero::FirstContactIfFound => Uncertain::exact(0.0),
-    };
-    let inputs = Inputs {
-        zero: zero.value,
-        ..Inputs::of(settings)
-    };
-    let numbers = |row: usize| {
-        let values = |inputs: &Inputs| {
-            // 1/S = 1/S_measured − C_f
-            let contact = Contact {
-                depth: depth[row] - inputs.zero - inputs.frame_compliance * force[row],
-                force: force[row],
-                stiffness: 1.0 / (1.0 / stiffness[row] - inputs.frame_compliance),
-                exponent: None,
-                area: radius.map(|radius| PI * radius[row].powi(2)),
-            };
-            contact.numbers(settings, inputs)
-        };
-        let mut numbers = IndentationNumbers::exact(values(&inputs)?);
-        for (source, uncertain, field) in Inputs::sources(settings, [Uncertain::exact(0.0), zero]) {
-            numbers.add_source(source, uncertain, &|side| {
-                values(&inputs.moved(field, side * uncertain.sd))
-            })?;
-        }
-        Ok(numbers)
-    };
-    (0..depth.len()).map(numbers).collect()
 }
 
 /// The rate of the drift, m/s, and the hold that it comes from.

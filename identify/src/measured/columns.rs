@@ -201,7 +201,7 @@ impl ColumnUnit {
 }
 
 /// The size of a unit in SI units, which may have a factor or a sign: `-1 nm`, `-nm`, `nm`.
-fn size(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
+pub(crate) fn size(text: &str, dimension: Dimension) -> Result<f64, QuantityError> {
     if let Ok(value) = quantity::parse(text, dimension) {
         return Ok(value);
     }

@@ -125,7 +125,7 @@ fn tidied(text: &str) -> String {
 pub(super) fn name_and_unit(text: &str, is_unit: impl Fn(&str) -> bool) -> Option<(String, &str)> {
     let splits = splits(text).into_iter();
     let splits = splits.map(|(name, unit)| (name.to_owned(), unit));
-    let mut splits = splits.chain(at_underscores(text));
+    let mut splits = splits.chain(at_underscores(text)).chain(behind_blank(text));
     splits.find(|(_, unit)| is_unit(unit))
 }
 
@@ -171,6 +171,17 @@ fn at_underscores(text: &str) -> Option<(String, &str)> {
         .filter(|(other, _)| *other != place);
     let rest: Vec<&str> = rest.map(|(_, part)| *part).collect();
     Some((rest.join("_"), parts[place]))
+}
+
+/// The last word of a name, if it is a unit of the quantity that the words before it name: `Depth um`, `Load N`.
+fn behind_blank(text: &str) -> Option<(String, &str)> {
+    let (name, unit) = text.rsplit_once(' ')?;
+    let is_of = |channel: &Channel| {
+        kind(unit) == HeaderUnit::Of(channel.dimension()) && channel.is_indicated_by(name)
+    };
+    let is_volts = kind(unit) == HeaderUnit::Electrical && unit.ends_with('V');
+    let is_unit = is_volts || Channel::ALL.iter().any(is_of);
+    is_unit.then(|| (name.trim().to_owned(), unit))
 }
 
 /// The unit in the spelling of a case file.
@@ -233,6 +244,12 @@ mod tests {
             ("load_micro_N", ""),
             ("depth_m", ""),
             ("N_1", ""),
+            ("Depth um", "um"),
+            ("Load On Sample mN", "mN"),
+            ("Deflection V", "V"),
+            ("Load A", ""),
+            ("Load s", ""),
+            ("Standard m", ""),
         ] {
             assert_eq!(HeaderField::new(text).unit_text, unit, "{text}");
         }

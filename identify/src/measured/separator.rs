@@ -84,7 +84,11 @@ impl Separator {
                 .filter(|line| separator.is_clean_row(line, decimal))
                 .count()
         };
-        let usable = |separator: &Self| *separator != Self::Comma || decimal == DecimalMark::Point;
+        // Between quotation marks a comma is no separator.
+        let quoted = || lines.iter().any(|line| line.contains("\",\""));
+        let usable = |separator: &Self| {
+            *separator != Self::Comma || decimal == DecimalMark::Point || quoted()
+        };
         let counts = Self::ALL.into_iter().filter(usable);
         let mut best = None;
         for (separator, count) in counts.map(|separator| (separator, rows(separator))) {
@@ -140,6 +144,8 @@ mod tests {
         assert_eq!(of("1,5;2,5", Point), None);
         assert_eq!(of("1,5\t2,5", Comma), Some(Separator::Tab));
         assert_eq!(of("1,5\t2,5", Point), None);
+        assert_eq!(of("\"1,5\",\"2,5\"", Comma), Some(Separator::Comma));
+        assert_eq!(of("1,5,2,5", Comma), None);
         assert_eq!(of(" 1.5   -2e-3 ", Point), Some(Separator::Space));
         assert_eq!(of("1.0, 2.0", Point), Some(Separator::Comma));
         assert_eq!(of("Date: 3", Point), None);

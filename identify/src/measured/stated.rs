@@ -150,7 +150,12 @@ impl StatedQuantity {
             return Some((position, 1.0));
         }
         let is_spring = has(&["spring", "force", "cantilever"]) && has(&["constant", "const"])
-            || has(&["springconstant", "forceconstant"])
+            || has(&[
+                "springconstant",
+                "forceconstant",
+                "federkonstante",
+                "kraftkonstante",
+            ])
             || words == ["k"];
         if is_spring && !has(&OTHERS) {
             return Some((Self::SpringConstant, 1.0));
@@ -166,6 +171,8 @@ impl StatedQuantity {
             _ if has(&["nominal"]) => None,
             (true, true, false) => Some((Self::TipRadius, 1.0)),
             (true, false, true) => Some((Self::TipRadius, 0.5)),
+            _ if words == ["r"] || words == ["radius"] => Some((Self::TipRadius, 1.0)),
+            _ if has(&["spitzenradius", "kugelradius"]) => Some((Self::TipRadius, 1.0)),
             _ => None,
         }
     }

@@ -287,3 +287,71 @@ fn exports_that_lack_something_are_refused_with_a_remedy() {
         assert!(found.contains(wanted), "{name}: {found}");
     }
 }
+
+/// A number with so many decimals, its digits before the decimal mark in groups of three.
+fn grouped(value: f64, decimals: usize, [group, decimal]: [&str; 2]) -> String {
+    let text = format!("{value:.decimals$}");
+    let (whole, fraction) = text.split_once('.').unwrap_or((&text, ""));
+    let places = whole.char_indices();
+    let marked: String = places
+        .map(|(place, digit)| {
+            let is_group = place > 0 && (whole.len() - place).is_multiple_of(3);
+            format!("{}{digit}", if is_group { group } else { "" })
+        })
+        .collect();
+    if decimals == 0 {
+        marked
+    } else {
+        format!("{marked}{decimal}{fraction}")
+    }
+}
+
+#[test]
+fn separators_of_thousands_are_read_or_refused_and_no_row_is_lost() {
+    // Forces up to 13,333 µN at depths up to 100 nm.
+    let text = |separator: &str, quote: &str, marks: [&str; 2], decimals: usize| {
+        let rows = HARD.points().into_iter().map(|[depth, force]| {
+            let depth = grouped(depth / NM, 3 * decimals.min(1), marks);
+            let force = grouped(force / UN, decimals, marks);
+            format!("{quote}{depth}{quote}{separator}{quote}{force}{quote}\n")
+        });
+        format!(
+            "Depth (nm){separator}Load (uN)\n{}",
+            rows.collect::<String>()
+        )
+    };
+    let keys = |decimal: &str| {
+        format!(
+            "columns = {{ depth = \"Depth\", force = \"Load\" }}\ntext = {{ decimal = \"{decimal}\" }}\n"
+        )
+    };
+    for (separator, quote, marks) in [
+        ("\t", "", [",", "."]),
+        (";", "", ["'", "."]),
+        (",", "\"", [",", "."]),
+        ("\t", "", [".", ","]),
+        (";", "", [" ", ","]),
+        ("\t", "", ["\u{202f}", ","]),
+        (",", "\"", [".", ","]),
+    ] {
+        for decimals in [3, 1] {
+            let found = read(&keys(marks[1]), &text(separator, quote, marks, decimals)).unwrap();
+            assert_eq!(found.table_rows, 41, "{separator:?} {marks:?}");
+            assert_eq!(found.rows.len(), 41, "{separator:?} {marks:?}");
+            assert!(
+                error(HARD, &found) < 1e-4,
+                "{separator:?} {marks:?} {}",
+                error(HARD, &found)
+            );
+        }
+    }
+    // Whole numbers beside which no fraction shows what the comma is.
+    let refused = read(&keys("."), &text("\t", "", [",", "."], 0)).unwrap_err();
+    assert!(
+        refused.contains("a number above a thousand or a fraction"),
+        "{refused}"
+    );
+    // A separator between columns is none within a number.
+    let refused = read(&keys("."), &text(",", "", [",", "."], 1)).unwrap_err();
+    assert!(refused.contains("one number in two fields"), "{refused}");
+}

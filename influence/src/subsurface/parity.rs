@@ -3,7 +3,7 @@
 //! A field of one load is even or odd in each offset, and so is its spectrum, which is real up to a factor `−i` for
 //! each axis in which the field is odd.
 
-use rustfft::num_complex::Complex64;
+use pellicle_fourier::Complex64;
 
 use super::state::FIELDS;
 use crate::operator::Spectrum;

@@ -18,8 +18,8 @@
 use std::cell::Cell;
 use std::sync::Arc;
 
-use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftPlanner};
+use pellicle_fourier::Complex;
+use pellicle_fourier::Fft;
 
 use super::Parity;
 use super::lines::Real;
@@ -46,7 +46,6 @@ pub(crate) struct CosineTransform<T: Real> {
 
 impl<T: Real> CosineTransform<T> {
     pub(crate) fn new(length: usize, frequencies: Frequencies) -> Self {
-        let mut planner = FftPlanner::new();
         let unit = |angle: f64| {
             let turned = Complex::cis(-std::f64::consts::PI * angle);
             Complex::new(T::narrowed(turned.re), T::narrowed(turned.im))
@@ -63,8 +62,8 @@ impl<T: Real> CosineTransform<T> {
         };
         Self {
             frequencies,
-            forward: planner.plan_fft_forward(length),
-            inverse: planner.plan_fft_inverse(length),
+            forward: T::forward(length),
+            inverse: T::inverse(length),
             phases: (0..=length / 2).map(phase).collect(),
             turns: (0..length).map(turn).collect(),
         }
@@ -205,7 +204,7 @@ fn turned<T: Real>(z: Complex<T>) -> Complex<T> {
 mod tests {
     use std::f64::consts::PI;
 
-    use rustfft::num_complex::Complex;
+    use pellicle_fourier::Complex;
 
     use super::{CosineTransform, Frequencies, Parity, place};
 

@@ -8,7 +8,7 @@
 
 use std::ops::Range;
 
-use rustfft::num_complex::Complex;
+use pellicle_fourier::Complex;
 
 use super::Parity;
 use super::cosine::{CosineTransform, Frequencies, place};

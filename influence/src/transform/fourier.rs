@@ -12,9 +12,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
 
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use rustfft::num_complex::Complex;
-use rustfft::{Fft, FftPlanner};
+use pellicle_fourier::{Complex, ComplexToReal, Fft, RealToComplex};
 
 use super::Parity;
 use super::lines::{Columns, Factors, Lines, Real, Space};
@@ -57,7 +55,6 @@ impl<T: Real> FourierColumns<T> {
     }
 
     fn new([loaded, shown]: [usize; 2], before: usize, [period, length]: [usize; 2]) -> Self {
-        let mut planner = FftPlanner::new();
         let turn = |n: usize| {
             let turned = Complex::cis(-PI * n as f64 / length as f64);
             Complex::new(T::narrowed(turned.re), T::narrowed(turned.im))
@@ -68,8 +65,8 @@ impl<T: Real> FourierColumns<T> {
             shown,
             before,
             period,
-            forward: planner.plan_fft_forward(length),
-            back: planner.plan_fft_inverse(length),
+            forward: T::forward(length),
+            back: T::inverse(length),
             turns: (0..turned).map(turn).collect(),
         }
     }
@@ -161,13 +158,12 @@ impl<T: Real> FourierLines<T> {
         [before, period]: [usize; 2],
         columns: FourierColumns<T>,
     ) -> Self {
-        let mut planner = RealFftPlanner::new();
         Self {
             loaded,
             shown,
             before,
-            rows: planner.plan_fft_forward(period),
-            rows_back: planner.plan_fft_inverse(period),
+            rows: T::real_forward(period),
+            rows_back: T::real_inverse(period),
             columns,
         }
     }

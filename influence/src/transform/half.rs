@@ -8,7 +8,7 @@
 //! A = ½ (V_k + V̄_k'),   i B = ½ (V_k − V̄_k');     f A + i g B = ½ (f + g) V_k + ½ (f − g) V̄_k'
 //! ```
 
-use rustfft::num_complex::Complex;
+use pellicle_fourier::Complex;
 
 use super::Parity;
 use super::even::EvenLines;

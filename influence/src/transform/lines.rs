@@ -3,13 +3,13 @@
 
 use std::ops::Range;
 
-use rustfft::FftNum;
-use rustfft::num_complex::Complex;
+use pellicle_fourier::Complex;
+use pellicle_fourier::Transformed;
 
 use super::Parity;
 
 /// A type of number for the transforms of fields.
-pub(crate) trait Real: FftNum + Default {
+pub(crate) trait Real: Transformed + Default {
     fn narrowed(value: f64) -> Self;
     fn widened(self) -> f64;
 }

@@ -21,8 +21,8 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use rustfft::num_complex::Complex64;
-use rustfft::{Fft, FftPlanner};
+use pellicle_fourier::Complex64;
+use pellicle_fourier::{Fft, Transformed};
 
 use super::Parity;
 
@@ -63,7 +63,7 @@ impl MirrorTransform {
         Self {
             half,
             parity,
-            forward: FftPlanner::new().plan_fft_forward(half),
+            forward: f64::forward(half),
             waves: waves.collect(),
         }
     }

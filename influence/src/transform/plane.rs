@@ -11,8 +11,8 @@
 
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock};
 
+use pellicle_fourier::Complex;
 use rayon::prelude::*;
-use rustfft::num_complex::Complex;
 
 use super::Parity;
 use super::lines::{Columns, Factors, Lines, ROWS, Space};

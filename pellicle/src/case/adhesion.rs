@@ -188,21 +188,10 @@ impl AdhesiveContacts {
     #[must_use]
     pub fn warnings(&self) -> Vec<CaseWarning> {
         let mut warnings = Vec::new();
-        let range = self
-            .tabor_number
-            .map(|number| (number, TaborRange::of(number)));
-        if let Some((number, range)) = range.filter(|(_, range)| !range.admits(self.law)) {
-            let number = significant(number, 2);
-            let advice = match range {
-                TaborRange::Jkr => "JKR holds here",
-                TaborRange::Dmt => "DMT holds here",
-                TaborRange::Between => "here the pull-off force of a sphere lies between both",
-            };
-            warnings.push(CaseWarning {
-                code: "adhesion-law",
-                message: format!("Tabor's number is {number}; JKR holds above 5, DMT below 0.1: {advice} (`load.adhesion`)"),
-            });
-        }
+        warnings.extend(
+            self.tabor_number
+                .and_then(|number| law_warning(self.law, number)),
+        );
         if self.law == AdhesionLaw::Jkr {
             warnings.push(CaseWarning {
                 code: "adhesion-fields",
@@ -211,6 +200,24 @@ impl AdhesiveContacts {
         }
         warnings
     }
+}
+
+/// The warning that another law holds by Tabor's number.
+#[must_use]
+pub fn law_warning(law: AdhesionLaw, tabor_number: f64) -> Option<CaseWarning> {
+    let range = TaborRange::of(tabor_number);
+    let advice = match range {
+        TaborRange::Jkr => "JKR holds here",
+        TaborRange::Dmt => "DMT holds here",
+        TaborRange::Between => "here the pull-off force of a sphere lies between both",
+    };
+    (!range.admits(law)).then(|| CaseWarning {
+        code: "adhesion-law",
+        message: format!(
+            "Tabor's number is {}; JKR holds above 5, DMT below 0.1: {advice} (`load.adhesion`)",
+            significant(tabor_number, 2)
+        ),
+    })
 }
 
 #[cfg(test)]

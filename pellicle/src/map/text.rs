@@ -19,7 +19,7 @@ const MIN_COLUMN_LINES: usize = 3;
 const PROFILE_LINES: usize = 8;
 
 /// Words for a missing height, in small letters.
-const MISSING: [&str; 15] = [
+const MISSING: [&str; 19] = [
     "nan",
     "bad",
     "-",
@@ -35,6 +35,10 @@ const MISSING: [&str; 15] = [
     "-1.#ind",
     "1.#ind",
     "-nan(ind)",
+    "*",
+    "***",
+    "nodata",
+    "missing",
 ];
 
 /// Reads the text; each line is a row of the picture, from the top down, or a point x, y, z of a grid.

@@ -5,9 +5,8 @@
 
 use std::f64::consts::TAU;
 
+use pellicle_fourier::{Complex, Transformed};
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
-use rustfft::{FftPlanner, num_complex::Complex};
 use serde::{Deserialize, Serialize};
 
 use crate::HeightMap;
@@ -104,7 +103,7 @@ fn apply_window(samples: &mut [f64], [rows, columns]: [usize; 2]) {
 
 /// The Fourier coefficients of each row up to its shortest wave; the others are their conjugates.
 fn transform_rows(mut samples: Vec<f64>, [_, columns]: [usize; 2]) -> Vec<Complex<f64>> {
-    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(columns);
+    let transform = f64::real_forward(columns);
     let width = columns / 2 + 1;
     let mut waves = vec![Complex::default(); samples.len() / columns * width];
     let rows = samples.par_chunks_mut(columns);
@@ -122,7 +121,7 @@ fn sums_over_columns(
     [rows, columns]: [usize; 2],
     extent: [f64; 2],
 ) -> WaveSums {
-    let transform = FftPlanner::<f64>::new().plan_fft_forward(rows);
+    let transform = f64::forward(rows);
     let width = columns / 2 + 1;
     let bands = Bands::new([rows, columns], extent);
     let of_block = |block: usize| {

@@ -6,10 +6,14 @@ use super::violation::Violation;
 use crate::Tree;
 
 /// The packages that each package may use. Its tests may also use the packages that these may use.
-const ALLOWED: [(&str, &[&str]); 14] = [
+const ALLOWED: [(&str, &[&str]); 15] = [
     ("pellicle-kernel", &[]),
-    ("pellicle-influence", &["pellicle-files", "pellicle-kernel"]),
-    ("pellicle-texture", &[]),
+    ("pellicle-fourier", &[]),
+    (
+        "pellicle-influence",
+        &["pellicle-files", "pellicle-fourier", "pellicle-kernel"],
+    ),
+    ("pellicle-texture", &["pellicle-fourier"]),
     (
         "pellicle-contact",
         &["pellicle-influence", "pellicle-texture"],
@@ -66,6 +70,7 @@ const ALLOWED: [(&str, &[&str]); 14] = [
             "pellicle-contact",
             "pellicle-explore",
             "pellicle-files",
+            "pellicle-fourier",
             "pellicle-identify",
             "pellicle-influence",
             "pellicle-kernel",

@@ -18,6 +18,15 @@ impl Region {
         part: &[f64],
         of_line: impl Fn(usize, &[f64]) -> T + Sync,
     ) -> Vec<T> {
+        self.for_lines(part, &of_line)
+    }
+
+    /// The same with a trait object, so that it is compiled once for each type of result.
+    fn for_lines<T: Send>(
+        &self,
+        part: &[f64],
+        of_line: &(dyn Fn(usize, &[f64]) -> T + Sync),
+    ) -> Vec<T> {
         let lines = part.par_chunks(self.size).enumerate();
         let lines = lines.with_min_len(self.rows_per_thread());
         lines.map(|(line, values)| of_line(line, values)).collect()

@@ -145,14 +145,11 @@ impl WorkingSet {
         state: &mut State,
         belongs: impl Fn(usize, bool, f64, f64) -> bool + Sync,
     ) {
-        let fields = state
-            .pressure
-            .par_chunks(PART)
-            .zip(state.v.par_chunks(PART));
-        let fields = fields.zip(state.can_touch().par_chunks(PART));
-        let parts = self.mask.par_chunks_mut(PART).zip(fields);
-        let counts = parts.enumerate().map(|(part, (mask, fields))| {
-            let ((pressure, v), can_touch) = fields;
+        let (all_pressure, all_v, all_can_touch) = (&state.pressure, &state.v, state.can_touch());
+        let revise = |part: usize, mask: &mut [bool]| {
+            let own = part * PART..part * PART + mask.len();
+            let (pressure, v) = (&all_pressure[own.clone()], &all_v[own.clone()]);
+            let can_touch = &all_can_touch[own];
             let (mut len, mut changed) = (0, 0);
             for (first, mask) in (0..).step_by(TOGETHER).zip(mask.chunks_mut(TOGETHER)) {
                 // Without branches, so that the processor decides on several at once.
@@ -173,8 +170,8 @@ impl WorkingSet {
                 mask.copy_from_slice(&members[..count]);
             }
             (len, changed)
-        });
-        let counts: Vec<(usize, usize)> = counts.collect();
+        };
+        let counts = revised(&mut self.mask, &revise);
         self.len = counts.iter().map(|(len, _)| len).sum();
         self.changed = counts.iter().map(|(_, changed)| changed).sum();
         self.moves += self.changed;
@@ -235,6 +232,15 @@ impl WorkingSet {
     pub fn holds_any(&self, mut elements: impl Iterator<Item = usize>) -> bool {
         elements.any(|element| self.mask[element])
     }
+}
+
+/// Revises each part of a mask: how many belong to it, and how many changed. Compiled once for all rules.
+fn revised(
+    mask: &mut [bool],
+    revise: &(dyn Fn(usize, &mut [bool]) -> (usize, usize) + Sync),
+) -> Vec<(usize, usize)> {
+    let parts = mask.par_chunks_mut(PART).enumerate();
+    parts.map(|(part, mask)| revise(part, mask)).collect()
 }
 
 #[cfg(test)]
