@@ -49,10 +49,12 @@ pub fn find(arguments: &StudyArguments) -> Result<Outcome, Failure> {
     if arguments.json {
         let report = SearchReport::new(&search, tried.len(), Some(&answer));
         terminal::print(&json(&report)?)?;
-    } else if !arguments.quiet {
+    } else {
         terminal::print(&search.words(&answer))?;
-        let cases = pellicle::display::count(tried.len(), "case");
-        terminal::report(&format!("{cases} tried; {}", folder.path().display()));
+        if !arguments.quiet {
+            let cases = pellicle::display::count(tried.len(), "case");
+            terminal::report(&format!("{cases} tried; {}", folder.path().display()));
+        }
     }
     Ok(match answer.verdict {
         Verdict::Found => Outcome::Done,

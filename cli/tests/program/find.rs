@@ -51,7 +51,12 @@ fn the_answer_is_on_the_terminal_and_in_the_files_of_its_folder() {
     let found: serde_json::Value = serde_json::from_str(&read("find.json")).unwrap();
     assert_eq!(found["verdict"], "found");
     assert_eq!(found["cases"], table.lines().count() - 1);
-    // The same question again: every case is known, and the answer is the same.
+    // The same question again: every case is known, and the answer is the same; without the rest, if that is asked.
+    let quiet = folder.run(&[&FIND[..], &["--quiet"]].concat());
+    assert_eq!(
+        (quiet.stdout, quiet.stderr.as_str()),
+        (ran.stdout.clone(), "")
+    );
     let again = folder.run(&[&FIND[..], &["--json"]].concat()).json();
     assert_eq!(again, found);
 }
@@ -69,6 +74,11 @@ fn no_answer_is_exit_code_1_and_a_wrong_question_2() {
     assert!(
         ran.stdout
             .starts_with("max pressure < 30.000 GPa holds at both ends:"),
+        "{}",
+        ran.stdout
+    );
+    assert!(
+        ran.stdout.contains("`--between` gives another range"),
         "{}",
         ran.stdout
     );

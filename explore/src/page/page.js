@@ -25,6 +25,12 @@ function make(tag, properties = {}, ...children) {
   return made;
 }
 
+// A sentence in parts: what stands between two grave accents is code.
+function withCode(sentence) {
+  const part = (text, place) => (place % 2 ? make("code", {}, text) : text);
+  return sentence.split(/`([^`]*)`/).map(part);
+}
+
 // ---- Requests: one sketch at a time, so that each is shown; a newer request stops one with all elements.
 
 function change(made, isSketch = false) {
@@ -350,7 +356,7 @@ function show() {
   $("mark").hidden = !mark;
   $("mark").textContent = mark ? `${mark}: do not use these numbers.` : "";
   $("warnings").hidden = shown.warnings.length === 0;
-  $("warnings").replaceChildren(...shown.warnings.map((of) => make("li", { "data-code": of.code }, of.message)));
+  $("warnings").replaceChildren(...shown.warnings.map((of) => make("li", { "data-code": of.code }, ...withCode(of.message))));
   $("strip").replaceChildren(...["force", "penetration", "max_pressure", "contact_radius"].flatMap((key) => {
     const number = numbers.find((of) => of.key === key);
     return number ? [make("span", {}, make("b", {}, `${number.symbol || number.name} `), number.text)] : [];

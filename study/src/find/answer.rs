@@ -92,9 +92,14 @@ impl Search {
             format!("{number} at {}", self.case_words(end.key))
         });
         let condition = self.condition.words();
+        let advice = if is_whole {
+            "; `--between` gives another range"
+        } else {
+            ""
+        };
         Answer::without(
             verdict,
-            format!("{condition} holds at {word} {low}, and {high}"),
+            format!("{condition} holds at {word} {low}, and {high}{advice}"),
         )
     }
 
