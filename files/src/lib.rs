@@ -32,18 +32,14 @@ pub fn with_code(sentence: &str) -> String {
         let text = text.replace('&', "&amp;").replace('"', "&quot;");
         text.replace('<', "&lt;").replace('>', "&gt;")
     };
-    let mut parts = sentence.split('`').peekable();
-    let (mut html, mut is_code) = (String::new(), false);
-    while let Some(part) = parts.next() {
+    let parts: Vec<&str> = sentence.split('`').collect();
+    let part = |(place, part): (usize, &&str)| match (place % 2 == 1, place + 1 < parts.len()) {
+        (true, true) => format!("<code>{}</code>", escaped(part)),
         // An accent without a second one stands for itself.
-        match (is_code, parts.peek()) {
-            (true, Some(_)) => html += &format!("<code>{}</code>", escaped(part)),
-            (true, None) => html += &format!("`{}", escaped(part)),
-            (false, _) => html += &escaped(part),
-        }
-        is_code = !is_code;
-    }
-    html
+        (true, false) => format!("`{}", escaped(part)),
+        (false, _) => escaped(part),
+    };
+    parts.iter().enumerate().map(part).collect()
 }
 
 /// Returns the value as JSON with a final newline; numbers have their shortest exact form, and non-finite ones are

@@ -1,3 +1,5 @@
+//! Plans of fast Fourier transforms, compiled once for all crates.
+//!
 #![doc = include_str!("../README.md")]
 
 use std::sync::Arc;

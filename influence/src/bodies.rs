@@ -124,6 +124,22 @@ impl ElasticBodies {
         softer / (1.0 + softer / stiffer)
     }
 
+    /// `E*` of the softest and of the stiffest materials of both bodies, Pa; a rigid base counts as none.
+    #[must_use]
+    pub fn modulus_range(&self) -> [f64; 2] {
+        let compliances = self.each().map(|body| {
+            let layers = body.layers().iter().map(Layer::material);
+            let materials = layers
+                .chain(body.base_material())
+                .chain([body.surface_material()]);
+            let compliances = materials.map(|material| 1.0 / material.plane_strain_modulus());
+            compliances.fold([0.0, f64::INFINITY], |[most, least], of| {
+                [f64::max(most, of), f64::min(least, of)]
+            })
+        });
+        [0, 1].map(|end| 1.0 / (compliances[0][end] + compliances[1][end]))
+    }
+
     /// `Φ − 1` of both together, `Σ E*/E_b* (Φ_b − 1)` with `E*` of the [surfaces](Self::surface_modulus), without
     /// cancellation.
     #[must_use]

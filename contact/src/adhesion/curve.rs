@@ -199,7 +199,8 @@ impl AdhesiveCurve {
         self.where_reached(&self.pull_off, |contact| contact.force - force)
     }
 
-    /// The stable contact at a prescribed penetration (m), of two the wider, which a withdrawn contact is; none if it is below that of [`Self::last_contact`].
+    /// The stable contact at a prescribed penetration (m), of two the wider, which a withdrawn contact is; none if it
+    /// is below that of [`Self::last_contact`].
     ///
     /// # Errors
     /// Those of [`Self::at_radius`].
@@ -252,8 +253,8 @@ impl AdhesiveCurve {
         Ok(Some(cube.cbrt()))
     }
 
-    /// A radius of the order of that at pull-off on a half-space of a modulus `E*` (Pa), m: where adhesion pulls back by
-    /// the penetration.
+    /// A radius of the order of that at pull-off on a half-space of a modulus `E*` (Pa), m: where adhesion pulls back
+    /// by the penetration.
     fn scale(&self, modulus: f64) -> f64 {
         let pulled = |a: f64| (2.0 * PI * a * self.adhesion.work / modulus).sqrt();
         let rim = self.profile.rim();

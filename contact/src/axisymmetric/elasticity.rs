@@ -55,7 +55,7 @@ impl AxisymmetricElasticity {
     pub fn new(bodies: &ElasticBodies) -> Self {
         Self {
             modulus: bodies.surface_modulus(),
-            moduli: moduli(bodies),
+            moduli: bodies.modulus_range(),
             kernel: LayerKernel::new(bodies),
             springs: None,
         }
@@ -231,19 +231,4 @@ fn check(radius: f64, rim: f64) -> Result<(), ContactError> {
         return Err(ContactError::AxisymmetricRadius { radius, wanted });
     }
     Ok(())
-}
-
-/// `E*` of the softest and of the stiffest materials of both bodies, Pa; a rigid base is none.
-fn moduli(bodies: &ElasticBodies) -> [f64; 2] {
-    let compliances = bodies.each().map(|body| {
-        let materials = body.layers().iter().map(|layer| layer.material());
-        let materials = materials
-            .chain(body.base_material())
-            .chain([body.surface_material()]);
-        let compliances = materials.map(|material| 1.0 / material.plane_strain_modulus());
-        compliances.fold([0.0, f64::INFINITY], |[most, least], of| {
-            [f64::max(most, of), f64::min(least, of)]
-        })
-    });
-    [0, 1].map(|end| 1.0 / (compliances[0][end] + compliances[1][end]))
 }

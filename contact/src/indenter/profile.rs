@@ -11,9 +11,12 @@ const ANGLES: u32 = 360;
 /// Number of points of a thread at a time.
 const AT_ONCE: usize = 1024;
 
+/// Finds the heights at some points.
+type OfPart<'a> = dyn Fn(&[[f64; 2]], &mut [f64]) + Sync + 'a;
+
 /// The heights at some points, of so many at once. The work on them is a trait object, so that the loop over threads is
 /// compiled once and not for each shape.
-fn by_parts(points: &[[f64; 2]], of_part: &(dyn Fn(&[[f64; 2]], &mut [f64]) + Sync)) -> Vec<f64> {
+fn by_parts(points: &[[f64; 2]], of_part: &OfPart<'_>) -> Vec<f64> {
     let mut heights = vec![0.0; points.len()];
     let parts = heights
         .par_chunks_mut(AT_ONCE)

@@ -292,13 +292,9 @@ fn exports_that_lack_something_are_refused_with_a_remedy() {
 fn grouped(value: f64, decimals: usize, [group, decimal]: [&str; 2]) -> String {
     let text = format!("{value:.decimals$}");
     let (whole, fraction) = text.split_once('.').unwrap_or((&text, ""));
-    let places = whole.char_indices();
-    let marked: String = places
-        .map(|(place, digit)| {
-            let is_group = place > 0 && (whole.len() - place).is_multiple_of(3);
-            format!("{}{digit}", if is_group { group } else { "" })
-        })
-        .collect();
+    let groups = whole.as_bytes().rchunks(3).rev();
+    let groups: Vec<&str> = groups.map(|of| std::str::from_utf8(of).unwrap()).collect();
+    let marked = groups.join(group);
     if decimals == 0 {
         marked
     } else {

@@ -234,11 +234,11 @@ impl WorkingSet {
     }
 }
 
+/// Revises a part of a mask, by its number: how many belong to it, and how many changed.
+type Revise<'a> = dyn Fn(usize, &mut [bool]) -> (usize, usize) + Sync + 'a;
+
 /// Revises each part of a mask: how many belong to it, and how many changed. Compiled once for all rules.
-fn revised(
-    mask: &mut [bool],
-    revise: &(dyn Fn(usize, &mut [bool]) -> (usize, usize) + Sync),
-) -> Vec<(usize, usize)> {
+fn revised(mask: &mut [bool], revise: &Revise<'_>) -> Vec<(usize, usize)> {
     let parts = mask.par_chunks_mut(PART).enumerate();
     parts.map(|(part, mask)| revise(part, mask)).collect()
 }
