@@ -293,7 +293,9 @@ fn grouped(value: f64, decimals: usize, [group, decimal]: [&str; 2]) -> String {
     let text = format!("{value:.decimals$}");
     let (whole, fraction) = text.split_once('.').unwrap_or((&text, ""));
     let groups = whole.as_bytes().rchunks(3).rev();
-    let groups: Vec<&str> = groups.map(|of| std::str::from_utf8(of).unwrap()).collect();
+    let groups: Vec<&str> = groups
+        .map(|of| std::str::from_utf8(of).expect("digits"))
+        .collect();
     let marked = groups.join(group);
     if decimals == 0 {
         marked
