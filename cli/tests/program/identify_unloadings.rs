@@ -299,7 +299,7 @@ fn what_cannot_be_evaluated_is_told_in_one_sentence() {
         })
         .fold(String::new(), |text, line| text + line + "\n");
     let off = EVALUATION.replace("\"hold\"", "\"off\"");
-    let cases: [(String, &str, &str); 8] = [
+    let cases: [(String, &str, &str); 11] = [
         (
             EVALUATION.into(),
             &without_hold,
@@ -339,6 +339,21 @@ fn what_cannot_be_evaluated_is_told_in_one_sentence() {
             off.replace("poisson_ratio = 0.17", "poisson_ratio = 0.7"),
             SILICA,
             "wanted a number in [0, 0.5]",
+        ),
+        (
+            format!("{off}thinning = 0.5"),
+            SILICA,
+            "wanted none without a [model]",
+        ),
+        (
+            format!("{off}beta = 1000"),
+            SILICA,
+            "wanted a factor from 0.5 to 2, such as 1",
+        ),
+        (
+            format!("{off}epsilon = {{ mean = 2, sd = 0.1 }}"),
+            SILICA,
+            "wanted a factor from 0.5 to 1.2, such as 0.75",
         ),
     ];
     for (fit, data, wanted) in cases {

@@ -4,6 +4,8 @@ mod area;
 pub mod calibration_file;
 mod shape;
 
+use std::ops::RangeInclusive;
+
 use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::quantity;
@@ -27,6 +29,9 @@ const DIAMOND: [f64; 2] = [1141e9, 0.07];
 const COEFFICIENTS: usize = 3;
 /// ε by default, that of a paraboloid.
 const EPSILON: f64 = 0.75;
+/// β is 1 to 1.2 for the tips in use, ε 0.72 of a cone to 1 of a flat punch; what lies outside these is no such factor.
+const BETAS: RangeInclusive<f64> = 0.5..=2.0;
+const EPSILONS: RangeInclusive<f64> = 0.5..=1.2;
 
 /// The words for where the drift comes from.
 const DRIFTS: [&str; 2] = ["hold", "off"];
@@ -53,21 +58,28 @@ pub fn read(
         Some(field) => uncertain(&field, Some(Dimension::FrameCompliance), Sign::NotNegative)?,
         None => area.frame_compliance.unwrap_or_default(),
     };
-    let number = |key, default| {
-        let field = table.optional(key);
-        field.map_or(Ok(Uncertain::exact(default)), |field| {
-            uncertain(&field, None, Sign::Positive)
-        })
+    let factor = |key, default, range: RangeInclusive<f64>| {
+        let Some(field) = table.optional(key) else {
+            return Ok(Uncertain::exact(default));
+        };
+        let found = uncertain(&field, None, Sign::Positive)?;
+        if range.contains(&found.value) {
+            return Ok(found);
+        }
+        let (least, most) = range.into_inner();
+        Err(field.wanted(format!(
+            "a factor from {least} to {most}, such as {default}"
+        )))
     };
     let ratio = table.required("poisson_ratio", "Poisson's ratio of the body, such as 0.17")?;
     Ok(EvaluationSettings {
         area: area.function,
         area_covariance: area.covariance,
         area_range: area.range,
-        beta: number("beta", 1.0)?,
+        beta: factor("beta", 1.0, BETAS)?,
         epsilon: match table.optional("epsilon") {
             Some(field) if field.text().is_ok_and(|text| text == "exponent") => Epsilon::Exponent,
-            _ => Epsilon::Fixed(number("epsilon", EPSILON)?),
+            _ => Epsilon::Fixed(factor("epsilon", EPSILON, EPSILONS)?),
         },
         unloading: part(&table)?,
         frame_compliance: frame,

@@ -138,6 +138,9 @@ impl EvaluationFile {
             None => name,
         };
         let field = table.required("evaluation", "a table [evaluation]")?;
+        if let Some(thinning) = field.clone().table()?.optional("thinning") {
+            return Err(thinning.wanted("none without a [model], whose top layer it thins"));
+        }
         let data = DataTable::read_all(root, sources)?;
         let file = Self {
             title: title.replace(char::is_control, " "),

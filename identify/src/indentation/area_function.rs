@@ -81,12 +81,20 @@ impl AreaFunction {
         }
     }
 
-    /// The area (m²) at a depth (m), which must be positive.
+    /// The area (m²) at a depth (m), which must be positive and within the lower half of a ball.
     ///
     /// # Errors
     ///
-    /// [`IndentationError::Area`] if it is not.
+    /// [`IndentationError::Area`] if it is not positive, [`IndentationError::DeeperThanBall`] beyond the radius.
     pub fn positive_area(&self, depth: f64) -> Result<f64, IndentationError> {
+        if let Self::Tip(Tip {
+            shape: TipShape::Sphere,
+            radius,
+        }) = *self
+            && depth > radius
+        {
+            return Err(IndentationError::DeeperThanBall { depth, radius });
+        }
         let area = self.area(depth);
         if depth > 0.0 && area > 0.0 && area.is_finite() {
             Ok(area)
@@ -167,6 +175,21 @@ mod tests {
         assert!((sharp(TipShape::Vickers).area(1.0) - 24.5).abs() < 5e-3);
         assert!((sharp(TipShape::Vickers).surface(1.0) - 26.43).abs() < 5e-3);
         assert!((sharp(TipShape::CubeCorner).area(1.0) - 2.598).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_ball_has_an_area_down_to_its_radius() {
+        let shape = TipShape::Sphere;
+        let ball = AreaFunction::Tip(Tip {
+            shape,
+            radius: 5e-6,
+        });
+        let whole = ball.positive_area(5e-6).unwrap();
+        assert!((whole / (PI * 25e-12) - 1.0).abs() < 1e-14);
+        assert!(matches!(
+            ball.positive_area(5.1e-6),
+            Err(IndentationError::DeeperThanBall { .. })
+        ));
     }
 
     #[test]

@@ -58,6 +58,17 @@ pub enum IndentationError {
         /// Area found, m².
         area: f64,
     },
+    /// A contact deeper than a ball.
+    #[error(
+        "found a contact depth of {depth:.4e} m, more than the radius of the ball, {radius:.4e} m, wanted contacts of its \
+         lower half: is the unit of the depth right, and is the radius?"
+    )]
+    DeeperThanBall {
+        /// Contact depth, m.
+        depth: f64,
+        /// Radius of the ball, m.
+        radius: f64,
+    },
     /// A modulus that is not positive.
     #[error(
         "found a reduced modulus of {reduced:.4e} Pa, which is not below that of the indenter alone, {indenter:.4e} Pa: \

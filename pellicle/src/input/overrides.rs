@@ -49,9 +49,8 @@ pub fn replace(
     };
     let parts = key_path::parts(key).ok_or_else(|| diagnosis(format!("`{key}`")))?;
     put(root, &parts, value, key_span).map_err(|at| {
-        diagnosis(format!(
-            "`{at}`, which is neither a table nor an item of the list"
-        ))
+        let found = format!("`{at}`, which is neither a table nor an item of the list");
+        diagnosis(found).with_help("items of a list are counted from 0: `foundation.layer[0]`")
     })
 }
 

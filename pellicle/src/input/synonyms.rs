@@ -1,4 +1,4 @@
-//! Words of other programs and of papers for keys of a case.
+//! Words of other programs and of papers for keys of a case and for their values.
 
 use super::diagnosis::closest;
 
@@ -114,6 +114,33 @@ const SYNONYMS: [Synonym; 18] = [
     ),
 ];
 
+/// Words for values, and the values that mean the same, the likeliest first.
+const VALUES: [(&[&str], &[&str]); 10] = [
+    (
+        &["ball", "spherical", "bead", "colloid"],
+        &["sphere", "paraboloid"],
+    ),
+    (&["parabolic", "hertz"], &["paraboloid"]),
+    (&["conical", "conosphere", "sphero-conical"], &["cone"]),
+    (&["pyramid", "modified-berkovich"], &["berkovich"]),
+    (&["punch", "cylinder", "cylindrical"], &["flat-punch"]),
+    (&["plane", "plate"], &["flat"]),
+    (&["pillars", "columns", "posts", "pins"], &["cylinders"]),
+    (&["holes", "pits", "pockets"], &["dimples"]),
+    (&["none", "plain", "smooth"], &["bare", "off"]),
+    (&["glued", "welded", "stuck", "perfect"], &["bonded"]),
+];
+
+/// The value that someone meant who wrote another word: one that it misspells, or that means the same.
+#[must_use]
+pub fn value_suggestion<'v>(word: &str, known: &[&'v str]) -> Option<&'v str> {
+    let lower = word.to_lowercase().replace('_', "-");
+    let groups = VALUES.iter().filter(|(words, _)| words.contains(&&*lower));
+    let values = groups.flat_map(|(_, values)| values.iter());
+    let meant = values.filter_map(|value| known.iter().find(|of| *of == value).copied());
+    closest(word, known).or_else(|| meant.into_iter().next())
+}
+
 /// What to ask of someone who wrote an unknown `word` where these keys are `known`: a key that it misspells, or that
 /// other programs call so.
 #[must_use]
@@ -148,6 +175,15 @@ mod tests {
             assert_eq!(suggestion(word, &ball).as_deref(), Some(wanted));
         }
         assert_eq!(suggestion("colour", &ball), None);
+        let shapes = ["paraboloid", "sphere", "cone", "flat-punch"];
+        for (word, wanted) in [
+            ("ball", Some("sphere")),
+            ("Punch", Some("flat-punch")),
+            ("shpere", Some("sphere")),
+            ("pillars", None),
+        ] {
+            assert_eq!(value_suggestion(word, &shapes), wanted);
+        }
         let friction = suggestion("mu", &["friction", "direction"]);
         assert_eq!(friction.as_deref(), Some("did you mean `friction`?"));
     }

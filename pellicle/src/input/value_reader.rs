@@ -2,10 +2,11 @@
 
 use std::ops::RangeInclusive;
 
-use super::diagnosis::{Diagnosis, Fault, closest};
+use super::diagnosis::{Diagnosis, Fault};
 use super::dimension::{Dimension, Sign};
 use super::quantity::{self, QuantityError};
 use super::synonyms::suggestion;
+use super::synonyms::value_suggestion;
 use super::toml_tree::{TomlNode, TomlValue};
 
 /// The value of one key, and its dotted path.
@@ -149,7 +150,7 @@ impl<'a> ValueReader<'a> {
             return Ok(*meaning);
         }
         let diagnosis = self.wanted(wanted);
-        Err(match closest(found, &words) {
+        Err(match value_suggestion(found, &words) {
             Some(word) => diagnosis.with_help(format!("did you mean \"{word}\"?")),
             None => diagnosis,
         })

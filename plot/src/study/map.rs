@@ -20,8 +20,8 @@ const ENTRY: f64 = 26.0;
 const WORDS: f64 = 16.0;
 /// Distance of the colour bar from the map, its width, and the room beside it.
 const BAR: [f64; 3] = [18.0, 22.0, BESIDE + 4.0];
-/// Ticks of a linear axis, about.
-const TICKS: usize = 6;
+/// Most ticks of an axis, all of which have room for their labels.
+const MOST_TICKS: usize = 10;
 /// Size of the number in a cell, and the least width and height of a cell that holds it.
 const NUMBER: f64 = 14.0;
 const LEAST_CELL: [f64; 2] = [54.0, 36.0];
@@ -54,8 +54,8 @@ pub fn draw(picture: &MapPicture, style: &Style) -> Option<String> {
     let inside = width - LEFT - BAR.iter().sum::<f64>();
     let panel = Panel {
         place: Rect::at((LEFT, TOP), (inside, ASPECT * inside)),
-        x: axis(&across, &picture.keys[0]),
-        y: axis(&upwards, &picture.keys[1]),
+        x: picture.axis(0, &across),
+        y: picture.axis(1, &upwards),
     };
     let (place, legend) = (panel.place, picture.legend());
     let height = place.bottom() + BELOW + ENTRY * legend.len() as f64;
@@ -90,17 +90,34 @@ fn edges(values: &[f64], is_logarithmic: bool) -> Option<Vec<f64>> {
     Some(edges.map(value).collect())
 }
 
-/// An axis from the first edge to the last.
-fn axis(edges: &[f64], of: &SampledAxis) -> Axis {
-    let (from, to) = (edges[0], edges[edges.len() - 1]);
-    if of.is_logarithmic {
-        Axis::logarithmic_within(from, to, of.title.clone())
-    } else {
-        Axis::new(from, to, of.title.clone(), TICKS)
-    }
+/// A value of a key as it was given, as far as four digits tell.
+fn label(value: f64) -> String {
+    let rounded = significant(value, 4);
+    let shortest = rounded.parse::<f64>().map(|value| value.to_string());
+    shortest.map_or(rounded.clone(), |shortest| {
+        if shortest.len() < rounded.len() {
+            shortest
+        } else {
+            rounded
+        }
+    })
 }
 
 impl MapPicture {
+    /// The axis of a key, from the first edge to the last, with ticks at values of cells.
+    fn axis(&self, key: usize, edges: &[f64]) -> Axis {
+        let values = &self.values[key];
+        let stride = values.len().div_ceil(MOST_TICKS);
+        let ticks = values.iter().step_by(stride);
+        Axis {
+            from: edges[0],
+            to: edges[edges.len() - 1],
+            title: self.keys[key].title.clone(),
+            ticks: ticks.map(|value| (*value, label(*value))).collect(),
+            is_logarithmic: self.keys[key].is_logarithmic,
+        }
+    }
+
     fn shades(&self, style: &Style) -> Option<ColourScale> {
         let samples = self.samples.iter().flatten();
         let [from, to] = ends(samples.filter_map(|sample| sample.value))?;
@@ -244,6 +261,17 @@ mod tests {
         for words in ["1.25", "± 0.02", "±?", gap] {
             assert!(svg.contains(words), "{words}");
         }
+    }
+
+    #[test]
+    fn ticks_stand_at_the_values_of_cells_where_there_is_room() {
+        let mut picture = picture();
+        picture.values = [vec![0.125, 2.0, 1234.567], (0..25).map(f64::from).collect()];
+        let axis = |key: usize| picture.axis(key, &picture.edges(key).expect("several values"));
+        let labels: Vec<_> = axis(0).ticks.into_iter().map(|(_, label)| label).collect();
+        assert_eq!(labels, ["0.125", "2", "1235"]);
+        let ticks: Vec<_> = axis(1).ticks.into_iter().map(|(tick, _)| tick).collect();
+        assert_eq!(ticks, [0.0, 3.0, 6.0, 9.0, 12.0, 15.0, 18.0, 21.0, 24.0]);
     }
 
     #[test]
