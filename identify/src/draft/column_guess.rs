@@ -7,7 +7,7 @@ use crate::measured::header::{HeaderField, HeaderUnit};
 use crate::measured::words::{lower_words, words};
 
 /// Words of columns that hold no quantity of the contact.
-const FOREIGN: [&str; 19] = [
+const FOREIGN: [&str; 15] = [
     "rate",
     "speed",
     "velocity",
@@ -22,10 +22,6 @@ const FOREIGN: [&str; 19] = [
     "area",
     "error",
     "temperature",
-    "set",
-    "command",
-    "programmed",
-    "demand",
     "frame",
 ];
 /// Words of the oscillation on which a continuous stiffness rests: only the stiffness is one of the contact.
@@ -37,8 +33,15 @@ const OSCILLATION: [&str; 6] = [
     "oscillation",
     "ac",
 ];
-/// Words of a column that another one improves on.
-const UNCORRECTED: [&str; 2] = ["uncorrected", "nominal"];
+/// Words of what was asked for or is not yet corrected, where another column has what was measured.
+const LESSER: [&str; 6] = [
+    "uncorrected",
+    "nominal",
+    "set",
+    "command",
+    "programmed",
+    "demand",
+];
 /// Words of columns of the way back.
 const WAY_BACK: [&str; 8] = [
     "retract",
@@ -188,7 +191,7 @@ fn likeness(channel: Channel, head: &HeaderField) -> Option<i32> {
         (false, false, true) if tells_alone => 20,
         _ => return None,
     };
-    let worse = 6 * i32::from(has(&WAY_BACK) || has(&UNCORRECTED));
+    let worse = 6 * i32::from(has(&WAY_BACK) || has(&LESSER));
     let measured = MEASURED * i32::from(has(&["measured", "sensor", "corrected"]));
     Some(likeness - worse + measured)
 }
