@@ -28,6 +28,7 @@ mod identify_exact;
 mod identify_noise;
 mod identify_plan;
 mod identify_plan_files;
+mod identify_readings;
 mod identify_repeats;
 mod identify_report;
 mod identify_spring;

@@ -27,10 +27,13 @@
 //! the least penetration, whichever is prescribed, and jumps out. The work lost between is that of the loop. A DMT
 //! contact comes in and goes out at `D = 0`.
 
+mod contact;
 mod curve;
 mod law;
+mod turns;
 
-pub use curve::{Adhesion, AdhesiveContact, AdhesiveCurve};
+pub use contact::{Adhesion, AdhesiveContact};
+pub use curve::AdhesiveCurve;
 pub use law::{ADHESION_RANGE, AdhesionLaw, TaborRange};
 
 #[cfg(test)]

@@ -1,64 +1,14 @@
 //! Forces and penetrations of an adhesive contact over its radius.
 
 use std::cell::RefCell;
-use std::collections::VecDeque;
 use std::f64::consts::PI;
 
+use super::contact::{Adhesion, AdhesiveContact};
 use super::law::{ADHESION_RANGE, AdhesionLaw};
+use super::turns::Turns;
 use crate::ContactError;
 use crate::axisymmetric::{AxisymmetricElasticity, AxisymmetricProfile};
 use crate::path::domain::root_finding::where_zero;
-
-/// Relative width at which the search for a least value ends: such a value is flat, so its place is known to the root
-/// of the accuracy.
-const PLACE: f64 = 1e-7;
-
-/// Most samples of the search for least values: factors of two that cross 90 decades.
-const MOST_STEPS: usize = 300;
-
-/// A work of adhesion and where it acts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Adhesion {
-    /// Work of adhesion w, J/m².
-    pub work: f64,
-    /// Where it acts.
-    pub law: AdhesionLaw,
-}
-
-impl Adhesion {
-    /// The pull of undeformed shapes by DMT, N: `2π w R`.
-    fn pull(self, profile: AxisymmetricProfile) -> Result<f64, ContactError> {
-        match profile {
-            AxisymmetricProfile::Paraboloid { radius } | AxisymmetricProfile::Sphere { radius } => {
-                Ok(2.0 * PI * self.work * radius)
-            }
-            AxisymmetricProfile::Cone { .. } | AxisymmetricProfile::Power { .. } => {
-                Err(ContactError::NoDmtFormula)
-            }
-        }
-    }
-}
-
-/// An adhesive contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AdhesiveContact {
-    /// Contact radius, m.
-    pub radius: f64,
-    /// Force, N; negative where the indenter is pulled.
-    pub force: f64,
-    /// Penetration, m; negative where the surface is pulled above its plane.
-    pub penetration: f64,
-    /// Stiffness `dF/dD` at constant radius, N/m.
-    pub stiffness: f64,
-    /// Elastic energy less w times the contact area, J: `dU/dD = F` along the curve.
-    pub energy: f64,
-    /// Force of the contact without adhesion that has the same radius, N.
-    pub force_without: f64,
-    /// Its penetration, m.
-    pub penetration_without: f64,
-    /// Relative accuracy of both.
-    pub accuracy: f64,
-}
 
 /// The contacts of an indenter on a body with a work of adhesion.
 ///
@@ -87,13 +37,6 @@ pub struct AdhesiveCurve {
     last: Turns,
 }
 
-/// The contacts at which a quantity is least, from the widest inwards, each with a lower value than those before it.
-///
-/// On a stiff layer upon a soft body there are two: contacts narrow and wide beside the layer's thickness. A contact
-/// that is withdrawn leaves the branch that ends at the first, falls back to the next, and jumps out at the last.
-#[derive(Debug, Clone)]
-struct Turns(Vec<AdhesiveContact>);
-
 impl AdhesiveCurve {
     /// The curve.
     ///
@@ -115,8 +58,8 @@ impl AdhesiveCurve {
             profile,
             adhesion,
             series: 0.0,
-            pull_off: Turns(Vec::new()),
-            last: Turns(Vec::new()),
+            pull_off: Turns::default(),
+            last: Turns::default(),
         };
         match adhesion.law {
             AdhesionLaw::Dmt => {
@@ -124,7 +67,7 @@ impl AdhesiveCurve {
                     force: -curve.adhesion.pull(profile)?,
                     ..AdhesiveContact::APART
                 };
-                curve.pull_off = Turns(vec![end]);
+                curve.pull_off = Turns::only(end);
                 curve.last = curve.pull_off.clone();
             }
             AdhesionLaw::Jkr => {
@@ -268,55 +211,11 @@ impl AdhesiveCurve {
         where_zero(ratio).min(0.5 * rim)
     }
 
-    /// The contacts with the least values: bracketed by factors of two from the scale of the stiffest material to that
-    /// of the softest and as far beyond as the values fall, then by the golden section in the logarithm.
+    /// The contacts with the least values.
     fn turns(&self, value: impl Fn(&AdhesiveContact) -> f64) -> Result<Turns, ContactError> {
-        let at = |log: f64| {
-            let contact = self.at_radius(log.exp())?;
-            Ok::<_, ContactError>((log, value(&contact)))
-        };
-        let two = std::f64::consts::LN_2;
-        let [widest, start] = self
-            .elasticity
-            .moduli()
-            .map(|modulus| self.scale(modulus).ln());
-        let mut samples = VecDeque::from([at(start)?]);
-        loop {
-            let (log, least) = samples[0];
-            let tried = at(log - two)?;
-            samples.push_front(tried);
-            if tried.1 > least || samples.len() > MOST_STEPS {
-                break;
-            }
-        }
-        while samples.len() < MOST_STEPS {
-            let [below, end] = [samples.len() - 2, samples.len() - 1].map(|place| samples[place]);
-            let is_rising = end.1 > below.1;
-            if is_rising && end.0 > widest {
-                break;
-            }
-            match at(end.0 + two) {
-                Ok(tried) => samples.push_back(tried),
-                // Layers are much thinner than so wide a contact, or the indenter ends.
-                Err(_) if is_rising => break,
-                Err(error) => return Err(error),
-            }
-        }
-        let mut turns: Vec<AdhesiveContact> = Vec::new();
-        for place in (1..samples.len() - 1).rev() {
-            let [low, middle, high] = [place - 1, place, place + 1].map(|place| samples[place]);
-            let is_turn = middle.1 <= low.1 && middle.1 < high.1;
-            if is_turn {
-                let found = self.at_radius(least_between([low, middle, high], at)?.exp())?;
-                if turns
-                    .last()
-                    .is_none_or(|before| value(&found) < value(before))
-                {
-                    turns.push(found);
-                }
-            }
-        }
-        Ok(Turns(turns))
+        let [softest, stiffest] = self.elasticity.moduli();
+        let scales = [stiffest, softest].map(|modulus| self.scale(modulus));
+        Turns::find(scales, |radius| self.at_radius(radius), value)
     }
 
     /// The widest contact on a rising branch at which a quantity, least at these turns, is no longer negative.
@@ -325,15 +224,9 @@ impl AdhesiveCurve {
         turns: &Turns,
         excess: impl Fn(&AdhesiveContact) -> f64,
     ) -> Result<AdhesiveContact, ContactError> {
-        let contacts = &turns.0;
-        let place = contacts.iter().position(|turn| excess(turn) < 0.0);
-        let Some(place) = place else {
+        let Some((first, end)) = turns.branch(|turn| excess(turn) < 0.0) else {
             return Ok(turns.last());
         };
-        let first = contacts[place];
-        let end = place
-            .checked_sub(1)
-            .map_or(f64::INFINITY, |wider| contacts[wider].radius);
         let unit = if first.radius > 0.0 {
             first.radius
         } else {
@@ -362,112 +255,5 @@ impl AdhesiveCurve {
             Err(error) => Err(failure.into_inner().unwrap_or(error)),
             found => found,
         }
-    }
-}
-
-impl Turns {
-    /// The turn of the widest contact.
-    fn first(&self) -> AdhesiveContact {
-        self.0.first().copied().unwrap_or(AdhesiveContact::APART)
-    }
-
-    /// The turn with the least value.
-    fn last(&self) -> AdhesiveContact {
-        self.0.last().copied().unwrap_or(AdhesiveContact::APART)
-    }
-}
-
-/// A place and a value there.
-type Sample = (f64, f64);
-
-/// The place of the least value between three samples, of which the middle one is the lowest, by the golden section.
-fn least_between(
-    [mut low, mut middle, mut high]: [Sample; 3],
-    at: impl Fn(f64) -> Result<Sample, ContactError>,
-) -> Result<f64, ContactError> {
-    while high.0 - low.0 > PLACE {
-        // The longer part is divided.
-        let golden = 0.381_966_011_250_105_1;
-        let is_right = high.0 - middle.0 > middle.0 - low.0;
-        let end = if is_right { high.0 } else { low.0 };
-        let tried = at(middle.0 + golden * (end - middle.0))?;
-        match (tried.1 < middle.1, is_right) {
-            (true, true) => (low, middle) = (middle, tried),
-            (true, false) => (high, middle) = (middle, tried),
-            (false, true) => high = tried,
-            (false, false) => low = tried,
-        }
-    }
-    Ok(middle.0)
-}
-
-impl AdhesiveContact {
-    /// The contact of this radius (m), as [`AdhesiveCurve::at_radius`], without the search for the ends of a curve.
-    ///
-    /// # Errors
-    /// [`ContactError::NoDmtFormula`] for DMT under another shape than a paraboloid or a sphere; those of
-    /// [`AxisymmetricElasticity::contact`].
-    pub fn of(
-        elasticity: &AxisymmetricElasticity,
-        profile: AxisymmetricProfile,
-        adhesion: Adhesion,
-        radius: f64,
-    ) -> Result<Self, ContactError> {
-        let without = elasticity.contact(profile, radius)?;
-        let stiffness = without.punch.stiffness;
-        let area = PI * radius * radius;
-        // F, D and U = ∫ F dD
-        let (force, penetration, energy) = match adhesion.law {
-            AdhesionLaw::Jkr => {
-                // δ = √(2 w dA/dS)
-                let back =
-                    (4.0 * PI * radius * adhesion.work / without.punch.stiffness_slope).sqrt();
-                let elastic = without.energy - without.force * back + 0.5 * stiffness * back * back;
-                let energy = elastic - adhesion.work * area;
-                (
-                    without.force - stiffness * back,
-                    without.penetration - back,
-                    energy,
-                )
-            }
-            AdhesionLaw::Dmt => {
-                let pull = adhesion.pull(profile)?;
-                let energy = without.energy - pull * without.penetration;
-                (without.force - pull, without.penetration, energy)
-            }
-        };
-        Ok(Self {
-            radius,
-            force,
-            penetration,
-            stiffness,
-            energy,
-            force_without: without.force,
-            penetration_without: without.penetration,
-            accuracy: elasticity.accuracy(profile),
-        })
-    }
-
-    /// The indenter at the surface, without contact.
-    const APART: Self = Self {
-        radius: 0.0,
-        force: 0.0,
-        penetration: 0.0,
-        stiffness: 0.0,
-        energy: 0.0,
-        force_without: 0.0,
-        penetration_without: 0.0,
-        accuracy: 0.0,
-    };
-
-    /// Error of the force (N) and of the penetration (m) at this radius: the accuracy of the contact without adhesion
-    /// times the terms that cancel.
-    #[must_use]
-    pub fn errors(&self) -> [f64; 2] {
-        [
-            (self.force_without, self.force),
-            (self.penetration_without, self.penetration),
-        ]
-        .map(|(without, with)| self.accuracy * (without.abs() + (without - with).abs()))
     }
 }

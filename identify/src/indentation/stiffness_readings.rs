@@ -1,8 +1,9 @@
 //! The numbers of readings of a continuous stiffness, each a contact of its own.
 //!
 //! The noise of a reading is told by the scatter about the line through its neighbours in depth, both in logarithms, in
-//! which a contact is nearly a power law however far its readings are apart (T. Gasser, L. Sroka and C. Jennen-Steinmetz,
-//! Biometrika 73, 625 (1986)). Readings that an instrument has filtered scatter less beside one another than they err.
+//! which a contact is nearly a power law however far its readings are apart (T. Gasser, L. Sroka and C.
+//! Jennen-Steinmetz, Biometrika 73, 625 (1986)). Readings that an instrument has filtered scatter less beside one
+//! another than they err.
 
 use std::f64::consts::PI;
 
@@ -80,7 +81,8 @@ pub fn evaluate_stiffnesses(
     (0..depth.len()).map(numbers).collect()
 }
 
-/// The relative standard deviation of the noise on each of some readings at these depths; 0 if they are too few to tell.
+/// The relative standard deviation of the noise on each of some readings at these depths; 0 if they are too few to
+/// tell.
 fn scatter(depths: &[f64], readings: &[f64]) -> Vec<f64> {
     let mut order: Vec<usize> = (0..readings.len())
         .filter(|row| depths[*row] > 0.0 && readings[*row] > 0.0)

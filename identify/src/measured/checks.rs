@@ -40,7 +40,7 @@ pub(super) fn refuse(curve: &MeasuredCurve) -> Result<(), CurveError> {
         return Err(CurveError::ConstantForce { force: highest });
     }
     let (noise, is_flat) = noise_and_flatness(force);
-    if is_flat {
+    if is_flat && curve.stiffness().is_none() {
         return Err(CurveError::NoContact { noise });
     }
     if contact_slope(depth, force) < 0.0 {

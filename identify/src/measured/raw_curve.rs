@@ -77,6 +77,11 @@ impl<'t> RawCurve<'t> {
         })
     }
 
+    /// Whether its rows are points of one curve in the order of time, and not contacts each with a stiffness of its own.
+    pub(crate) fn is_in_order(&self) -> bool {
+        self.values(Channel::Stiffness).is_none()
+    }
+
     /// The values of a quantity, if it has a column.
     pub(crate) fn values(&self, channel: Channel) -> Option<&[f64]> {
         let found = self.channels.iter().find(|(found, _)| *found == channel);

@@ -80,7 +80,8 @@ impl MeasuredCurve {
             warnings.extend(spring.compared_with(&table.stated)?);
             spring::add_penetration(&mut raw, data.height_direction, spring)?;
         }
-        if let Some((_, forces)) = (raw.channels.iter()).find(|(of, _)| *of == Channel::Force) {
+        let forces = raw.values(Channel::Force);
+        if let Some(forces) = forces.filter(|_| raw.is_in_order()) {
             checks::refuse_flat(forces)?;
         }
         let mut kept = branch(&raw, &data.segment, data.omit.of(path))?;

@@ -51,7 +51,8 @@ pub(crate) fn branch(
         });
     }
     kept.retain(Omitted, |row| !omitted.contains(&(row + 1)));
-    if let Some(forces) = raw.values(Channel::Force) {
+    let forces = raw.values(Channel::Force);
+    if let Some(forces) = forces.filter(|_| raw.is_in_order()) {
         leave_out_spikes(&mut kept, forces);
     }
     keep_value(&mut kept, raw, segment)?;
