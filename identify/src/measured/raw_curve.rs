@@ -77,7 +77,7 @@ impl<'t> RawCurve<'t> {
         })
     }
 
-    /// Whether its rows are points of one curve in the order of time, and not contacts each with a stiffness of its own.
+    /// Whether its rows are points of one curve in the order of time, and not contacts with a stiffness each.
     pub(crate) fn is_in_order(&self) -> bool {
         self.values(Channel::Stiffness).is_none()
     }
