@@ -51,7 +51,8 @@ pub struct AdhesiveContact {
 }
 
 impl AdhesiveContact {
-    /// The contact of this radius (m), as [`AdhesiveCurve::at_radius`], without the search for the ends of a curve.
+    /// The contact of this radius (m), as [`AdhesiveCurve::at_radius`](super::AdhesiveCurve::at_radius), without the
+    /// search for the ends of a curve.
     ///
     /// # Errors
     /// [`ContactError::NoDmtFormula`] for DMT under another shape than a paraboloid or a sphere; those of
