@@ -136,7 +136,7 @@ impl Identification {
             let of_table = sources.iter().filter(|(table, _)| *table == index);
             let has_zero = zeros::of_abscissa(&file, &sources).is_some();
             let points = of_table.flat_map(|(_, source)| {
-                let origin = has_zero.then(|| source.origin(table.observe));
+                let origin = has_zero.then(|| source.origin(table.observe).unwrap_or(0.0));
                 source
                     .abscissa
                     .iter()
@@ -217,8 +217,11 @@ fn problem(
     starts: Option<&[f64]>,
 ) -> Result<Problem, Failure> {
     let curves = sources.iter().map(|source| {
-        let origin = source.origin(observe(file));
-        Ok(source.curve()?.with_origin(origin))
+        let curve = source.curve()?;
+        Ok(match source.origin(observe(file)) {
+            Some(origin) => curve.with_origin(origin),
+            None => curve,
+        })
     });
     let curves = curves.collect::<Result<Vec<_>, IdentifyError>>()?;
     let nuisances = file.nuisances.parameters.iter();

@@ -18,7 +18,6 @@ use std::ops::Range;
 
 use crate::{
     Curve, ForwardError, ForwardModel, Prediction, Problem,
-    global_search::first_levels,
     metric::Metric,
     nuisance::NuisanceColumn,
     orthonormal_basis::{OrthonormalBasis, dot},
@@ -109,7 +108,8 @@ impl Search<'_> {
     /// The best of a few zeros for each curve.
     fn best_trials(&self) -> Result<Vec<f64>, ForwardError> {
         let curves = self.problem.curves();
-        let mut best: Vec<f64> = curves.iter().map(Curve::origin).collect();
+        let shown = |curve: &Curve| curve.origin().unwrap_or(0.0);
+        let mut best: Vec<f64> = curves.iter().map(shown).collect();
         let mut least = self.trial(&best)?.misfits;
         for part in TRIALS {
             let ends = curves.iter().map(|curve| range(curve.abscissa()));
@@ -161,7 +161,7 @@ impl Search<'_> {
         if !prediction.is_complete(problem.points(), unknowns.len()) {
             return Err(ForwardError::Incomplete);
         }
-        let levels = first_levels(problem);
+        let levels = problem.first_levels();
         let metric = Metric::new(problem, &levels, problem.observed(), &prediction.slope);
         let at = Evaluation::of(unknowns, self.parameters, prediction.clone());
         let (mut residual, _) = metric.rows(&at);

@@ -8,7 +8,7 @@ pub struct Curve {
     abscissa: Vec<f64>,
     observed: Vec<f64>,
     time: Option<Vec<f64>>,
-    origin: f64,
+    origin: Option<f64>,
     errors: Vec<PointErrors>,
 }
 
@@ -27,7 +27,7 @@ impl Curve {
             abscissa,
             observed,
             time: None,
-            origin: 0.0,
+            origin: None,
             errors: Vec::new(),
         })
     }
@@ -53,10 +53,10 @@ impl Curve {
         Ok(self)
     }
 
-    /// The same curve with the value at which the search for the zero of its abscissa starts.
+    /// The same curve with the zero of its abscissa that it shows, where the search for it starts.
     #[must_use]
     pub fn with_origin(mut self, origin: f64) -> Self {
-        self.origin = origin;
+        self.origin = Some(origin);
         self
     }
 
@@ -81,9 +81,9 @@ impl Curve {
         &self.errors
     }
 
-    /// The value at which the search for the zero of its abscissa starts.
+    /// The zero of its abscissa that it shows, if any: where the search for it starts.
     #[must_use]
-    pub fn origin(&self) -> f64 {
+    pub fn origin(&self) -> Option<f64> {
         self.origin
     }
 

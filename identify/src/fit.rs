@@ -122,7 +122,7 @@ impl<'p> Fitting<'p> {
         predictor: &mut Predictor,
         start: Rc<Evaluation>,
     ) -> Result<Fit, IdentifyError> {
-        let levels = global_search::first_levels(self.problem);
+        let levels = self.problem.first_levels();
         let mut refined = self.refinement().run(predictor, start, levels)?;
         let mut search = predictor.predictions();
         for _ in 0..MOST_RESTARTS {

@@ -44,10 +44,14 @@ pub(crate) fn search(
     let mut best: Option<Minimum> = None;
     let mut several_minima = false;
     for index in 0..options.starts {
-        let Some(first) = predictor.evaluate(&start(problem.unknowns(), index))? else {
+        let mut position = start(problem.unknowns(), index);
+        if index == 0 {
+            position = predictor.with_zeros_held(position, stopping)?;
+        }
+        let Some(first) = predictor.evaluate(&position)? else {
             continue;
         };
-        let metric = metric.get_or_insert_with(|| provisional_metric(problem, &first));
+        let metric = metric.get_or_insert_with(|| Metric::provisional(problem, &first));
         let search = LeastSquares {
             problem,
             metric,
@@ -94,28 +98,12 @@ pub(crate) fn no_start(predictor: &mut Predictor, starts: usize) -> IdentifyErro
 
 /// The prediction nearest to the data, all measured with the same weights; `None` if there is none.
 pub(crate) fn best_so_far(predictor: &Predictor, problem: &Problem) -> Option<Rc<Evaluation>> {
-    let metric = provisional_metric(problem, predictor.evaluations().next()?);
+    let metric = Metric::provisional(problem, predictor.evaluations().next()?);
     let misfits = predictor
         .evaluations()
         .map(|at| (metric.system(at).chi_squared, at));
     let best = misfits.min_by(|(one, _), (other, _)| one.total_cmp(other));
     best.map(|(_, at)| Rc::clone(at))
-}
-
-/// White noise of guessed or given size, at the observed values, so that all searches use the same measure.
-fn provisional_metric<'p>(problem: &'p Problem, first: &Evaluation) -> Metric<'p> {
-    let levels = first_levels(problem);
-    Metric::new(problem, &levels, problem.observed(), &first.slope)
-}
-
-/// Noise levels before any residual is known.
-pub(crate) fn first_levels(problem: &Problem) -> crate::NoiseLevels {
-    let mean_square = |values: &[f64]| (dot(values, values) / values.len() as f64).sqrt();
-    let noise = problem.noise();
-    noise.first_guess(
-        mean_square(problem.observed()),
-        mean_square(&problem.abscissa()),
-    )
 }
 
 fn degrees(problem: &Problem) -> f64 {

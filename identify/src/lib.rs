@@ -22,6 +22,7 @@ pub mod fit_file;
 mod forward_model;
 mod global_search;
 mod goodness;
+mod held_zeros;
 pub mod indentation;
 mod known_combination;
 mod least_squares;

@@ -49,6 +49,12 @@ impl<'a> Metric<'a> {
         }
     }
 
+    /// White noise of guessed or given size, at the observed values, so that all searches use the same measure.
+    pub fn provisional(problem: &'a Problem, first: &Evaluation) -> Self {
+        let levels = problem.first_levels();
+        Self::new(problem, &levels, problem.observed(), &first.slope)
+    }
+
     /// The covariance at an evaluation. Relative noise scales with the reading measured from its zero: the model's
     /// value plus what the frame compliance and a drift add, but not a shift. These nuisances are found first,
     /// under the noise at the model's values alone.

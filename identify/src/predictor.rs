@@ -4,6 +4,7 @@ use std::{ops::Range, rc::Rc};
 
 use crate::{
     ForwardError, ForwardModel, IdentifyError, Prediction, Problem, Unknown, abscissa_zero,
+    held_zeros, least_squares::Stopping,
 };
 
 /// The model evaluated at one point of the coordinates `x` of the unknowns.
@@ -143,7 +144,7 @@ pub(crate) struct Predictor<'a> {
     model: &'a dyn ForwardModel,
     problem: &'a Problem,
     memory: Vec<(Vec<f64>, Option<Rc<Evaluation>>)>,
-    /// Predictions of single curves.
+    /// Predictions of single curves, and with zeros held.
     apart: usize,
     last_failure: Option<ForwardError>,
 }
@@ -167,6 +168,17 @@ impl<'a> Predictor<'a> {
         let evaluation = self.predict(position)?.map(Rc::new);
         self.memory.push((position.to_vec(), evaluation.clone()));
         Ok(evaluation)
+    }
+
+    /// The coordinates at which a search with the zeros held where the curves show them ends: see [`held_zeros`].
+    pub fn with_zeros_held(
+        &mut self,
+        start: Vec<f64>,
+        stopping: Stopping,
+    ) -> Result<Vec<f64>, IdentifyError> {
+        let (end, predictions) = held_zeros::search(self.model, self.problem, start, stopping)?;
+        self.apart += predictions;
+        Ok(end)
     }
 
     /// Number of evaluations of the model.

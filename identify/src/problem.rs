@@ -3,8 +3,8 @@
 use std::ops::Range;
 
 use crate::{
-    Curve, IdentifyError, LinearNuisance, Noise, NullDirections, PointErrors, Unknown,
-    nuisance::NuisanceColumn,
+    Curve, IdentifyError, LinearNuisance, Noise, NoiseLevels, NullDirections, PointErrors, Unknown,
+    nuisance::NuisanceColumn, orthonormal_basis::dot,
 };
 
 /// Scatter of the parameters between curves.
@@ -143,6 +143,13 @@ impl Problem {
         }
     }
 
+    /// The problem with the zeros of its abscissae held.
+    pub(crate) fn without_abscissa_zeros(&self) -> Self {
+        let mut held = self.clone();
+        held.columns.retain(|column| !column.by_slope);
+        held
+    }
+
     /// The problem of one curve alone: with its own nuisances, and without the priors of unknowns, which apply to the
     /// values common to all curves.
     pub(crate) fn of_curve(&self, index: usize) -> Self {
@@ -195,6 +202,14 @@ impl Problem {
     /// The known errors of each point; empty where no curve has some.
     pub(crate) fn errors(&self) -> &[PointErrors] {
         &self.errors
+    }
+
+    /// Noise levels before any residual is known.
+    pub(crate) fn first_levels(&self) -> NoiseLevels {
+        let root_mean_square = |values: &[f64]| (dot(values, values) / values.len() as f64).sqrt();
+        let [observed, abscissa] =
+            [&self.observed, &self.abscissa()].map(|of| root_mean_square(of));
+        self.noise.first_guess(observed, abscissa)
     }
 
     /// The abscissae of all curves.

@@ -18,7 +18,6 @@
 
 use crate::{
     Exclusion, Fit, FitOptions, IdentifyError, NoiseLevels, Problem, REFUSAL, Role, departure,
-    global_search,
     noise::restricted_likelihood::{Part, RestrictedLikelihood},
     null_direction::NullSpace,
     predictor::{Evaluation, Predictor},
@@ -122,7 +121,7 @@ impl<'p> Repeats<'p> {
             at: start.clone(),
             offsets: vec![vec![0.0; self.determined.len()]; self.shares.len()],
             nuisances: self.shared.iter().map(prior).collect(),
-            levels: global_search::first_levels(self.problem),
+            levels: self.problem.first_levels(),
             linearisation: Linearisation::OfCommon,
             exclusions: Vec::new(),
         };

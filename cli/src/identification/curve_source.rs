@@ -175,16 +175,14 @@ impl CurveSource {
         ForceZero::Measured([mean, error.max(DIGITS * largest)])
     }
 
-    /// Where its abscissa begins, as far as the file shows it.
+    /// Where its abscissa begins, if the file shows it.
     #[must_use]
-    pub fn origin(&self, observe: Observable) -> f64 {
-        let Some(before) = self.measured.before_contact else {
-            return 0.0;
-        };
-        if observe.abscissa() == Reading::Force {
-            return before.zero()[0];
-        }
-        before.contact
+    pub fn origin(&self, observe: Observable) -> Option<f64> {
+        let before = self.measured.before_contact?;
+        Some(match observe.abscissa() {
+            Reading::Force => before.zero()[0],
+            _ => before.contact,
+        })
     }
 
     /// Returns the curve without the points at which the model does not hold; `invalid` gives the reason for each of

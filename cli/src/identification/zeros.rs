@@ -47,7 +47,7 @@ pub fn baseline_slopes(
         return Ok(None);
     }
     let distances = sources.iter().flat_map(|source| {
-        let contact = source.origin(observe);
+        let contact = source.origin(observe).unwrap_or(0.0);
         source
             .abscissa
             .iter()
@@ -109,7 +109,9 @@ impl Identification {
         let each = sources.map(|(index, source)| {
             // A repeat that disagrees with the others has none.
             let zero = of_fit(fit, name, index);
-            let zero = zero.unwrap_or_else(|| source.origin(observe(&self.file)));
+            let zero = zero
+                .or_else(|| source.origin(observe(&self.file)))
+                .unwrap_or(0.0);
             vec![zero; source.abscissa.len()]
         });
         each.collect::<Vec<_>>().concat()

@@ -7,7 +7,7 @@ use super::{
     intervals::{Reach, Sought},
 };
 use crate::{
-    Estimate, Fit, FitVerdict, IdentifyError, Stopped, Verdict, global_search,
+    Estimate, Fit, FitVerdict, IdentifyError, Stopped, Verdict,
     predictor::{Evaluation, Predictor},
 };
 
@@ -20,7 +20,7 @@ impl Fitting<'_> {
     ) -> Result<Fit, IdentifyError> {
         let refined = self
             .refinement()
-            .unfinished(best, global_search::first_levels(self.problem))?;
+            .unfinished(best, self.problem.first_levels())?;
         let sought = self.sought(&refined)?;
         let intervals = sought.iter().map(|_| Sought::no_interval(Reach::Nowhere));
         let intervals = intervals.collect();

@@ -17,8 +17,11 @@ use super::spring;
 /// The stretch that gives the baseline.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Baseline {
-    /// Nothing is subtracted.
+    /// The whole stretch before the contact of a cantilever's curve that shows one: its interference and its drift
+    /// give such curves a slope.
     #[default]
+    OfCantilever,
+    /// Nothing is subtracted.
     Off,
     /// The whole stretch before the contact.
     BeforeContact,
@@ -139,9 +142,12 @@ pub(super) fn subtract(
     data: &DataTable,
 ) -> Result<Option<BeforeContactRows>, CurveError> {
     let found = find(raw, rows, data);
+    let shown = || Ok(found.filter(|(_, shown)| *shown).map(|(found, _)| found));
+    let is_of_cantilever = raw.values(Channel::Height).is_some();
     let range = match data.baseline {
-        Baseline::Off => return Ok(found.filter(|(_, shown)| *shown).map(|(found, _)| found)),
-        Baseline::BeforeContact => None,
+        Baseline::Off => return shown(),
+        Baseline::OfCantilever if !is_of_cantilever || shown()?.is_none() => return shown(),
+        Baseline::OfCantilever | Baseline::BeforeContact => None,
         Baseline::Between(range) => Some(range),
     };
     let none = CurveError::NoBaseline {

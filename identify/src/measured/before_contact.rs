@@ -52,8 +52,14 @@ pub(super) const FEWEST_POINTS: usize = 10;
 /// A stretch shows itself if it is at least this fraction of the length in contact,
 const LEAST_LENGTH: f64 = 0.05;
 /// flat: its slope below this fraction of the mean slope in contact. A cone rises by less only within a fourteenth of
-/// its depth, a ball within a hundredth,
+/// its depth, a ball within a hundredth. A steeper stretch must fall, or rise by less than half of that slope, as a
+/// punch does not, and be straight beyond doubt: the parabola added to its line, and this many standard errors of it,
+/// smaller than this fraction of the line's rise. That of a ball that begins with the stretch is 0.6 of it, that of a
+/// cone all of it;
 const LARGEST_SLOPE: f64 = 0.15;
+const STEEPEST: f64 = 0.5;
+const DOUBT_ERRORS: f64 = 2.0;
+const LARGEST_BEND: f64 = 0.2;
 /// straight: a parabola added to its line is smaller than this many standard errors, or than the last digits,
 const BEND_ERRORS: f64 = 4.0;
 const DIGITS: f64 = 1e-4;
@@ -155,13 +161,25 @@ impl BeforeContact {
         }
         let rise = largest - self.force;
         let is_long = self.ends[1] - start >= LEAST_LENGTH * (end - self.contact);
-        let is_flat = self.slope.abs() * (end - self.contact) <= LARGEST_SLOPE * rise;
+        let is_below = |part: f64| self.slope * (end - self.contact) <= part * rise;
+        let is_straight_beyond_doubt = || {
+            let [bend, error] = self.bend(coordinate, forces);
+            let rise = self.slope * (self.ends[1] - self.ends[0]);
+            bend + DOUBT_ERRORS * error <= LARGEST_BEND * rise
+        };
+        let is_flat = is_below(LARGEST_SLOPE) || is_below(STEEPEST) && is_straight_beyond_doubt();
         let is_clear = rise >= LEAST_SIGNAL * self.noise;
         is_long && is_flat && is_clear && self.is_straight(coordinate, forces, rise)
     }
 
     /// Whether the stretch is a line, but for its noise.
     fn is_straight(&self, coordinate: &[f64], forces: &[f64], rise: f64) -> bool {
+        let [bend, error] = self.bend(coordinate, forces);
+        bend <= f64::max(BEND_ERRORS * error, DIGITS * rise)
+    }
+
+    /// The size of a parabola added to the line, over the length of the stretch, and its standard error, N.
+    fn bend(&self, coordinate: &[f64], forces: &[f64]) -> [f64; 2] {
         let [start, end] = self.ends;
         let pairs = coordinate[..self.first_in_contact].iter().zip(forces);
         let inside = pairs.filter(|(x, _)| (start..=end).contains(*x));
@@ -175,8 +193,7 @@ impl BeforeContact {
         let variance = dot(&rest, &rest) / (rest.len() as f64 - 3.0).max(1.0);
         let error =
             (variance * parabola.inverse_gram()[2][2] * dependence(persistence(&rest), 0.0)).sqrt();
-        let bend = coefficients.get(2).map_or(0.0, |bend| bend.abs());
-        bend <= f64::max(BEND_ERRORS * error, DIGITS * rise)
+        [coefficients.get(2).map_or(0.0, |bend| bend.abs()), error]
     }
 
     /// The force of the line at a coordinate, N.
@@ -367,9 +384,24 @@ mod tests {
         for slope in [-0.03, -0.1, -0.3] {
             let [x, y] = approach(2.0, 1.5, [1.0, slope, 0.002]);
             let found = BeforeContact::find(&x, &y).unwrap();
-            assert!(found.shows_itself(&x, &y) || slope < -0.15, "{slope}");
+            assert!(found.shows_itself(&x, &y), "{slope}");
             assert!((found.contact - 1.0).abs() < 0.08, "{slope}: {found:?}");
             assert!((found.slope - slope).abs() < 4.0 * found.slope_sd + 1e-3);
+        }
+    }
+
+    #[test]
+    fn a_steep_line_shows_itself_if_it_is_straight_beyond_doubt() {
+        // A tenth to four tenths of the mean slope of the contact.
+        for (slope, ripple, is_shown) in [
+            (0.1, 0.02, true),
+            (0.2, 1e-3, true),
+            (0.4, 1e-3, true),
+            (0.2, 0.1, false),
+        ] {
+            let [x, y] = approach(2.0, 1.5, [1.0, slope, ripple]);
+            let found = BeforeContact::find(&x, &y).unwrap();
+            assert_eq!(found.shows_itself(&x, &y), is_shown, "{slope} {ripple}");
         }
     }
 

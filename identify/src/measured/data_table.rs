@@ -98,7 +98,7 @@ impl DataTable {
                 "baseline",
                 "a line of forces before the contact that is subtracted",
                 Baseline::shape(),
-                "`\"off\"`",
+                "of a cantilever `\"before contact\"` where its curve shows such a stretch, otherwise `\"off\"`",
             ),
             optional(
                 "omit",

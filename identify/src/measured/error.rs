@@ -269,7 +269,8 @@ pub enum CurveError {
     #[error(
         "found a depth that falls as the force rises, wanted a depth counted positive into the body: \
          swap the columns, or reverse the sign, such as units = {{ depth = \"-1 nm\" }}; of a cantilever, whose \
-         deflection would then exceed its approach, check the unit of the force or deflection and the spring constant"
+         deflection would then exceed its approach, check the unit of the force or deflection and the spring constant, or \
+         give baseline = \"before contact\" if the force has a slope of its own"
     )]
     DepthFalls,
     /// The direction in which the piezo's height is counted cannot be determined from the force.

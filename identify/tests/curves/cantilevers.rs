@@ -18,7 +18,7 @@ fn extend_and_retract_side_by_side_are_separate_columns() {
     // δ = 3380 nm − (4240.6828 − 1276.4373) nN/(40 N/m), rounded a few times at 2e-5 m.
     let depth = curve.depth().unwrap();
     assert!((depth[1014] - (3380.0 - 2964.2455 / 40.0) * 1e-9).abs() < 2e-20);
-    let retract = "columns = { height = 3, force = 4 }\nspring_constant = \"40 N/m\"\nsegment = { part = \"unloading\" }";
+    let retract = "columns = { height = 3, force = 4 }\nspring_constant = \"40 N/m\"\nsegment = { part = \"unloading\" }\nbaseline = \"off\"";
     let curve = one(&format!("{WORKSHOP}{retract}"));
     check_ends(curve.force(), 3809.6950e-9, 1282.1253e-9);
     let depth = curve.depth().unwrap();
@@ -49,7 +49,9 @@ spring_constant = { mean = "0.043493666407368466 N/m", sd = "0.004 N/m" }
 
 #[test]
 fn a_jpk_table_has_comments_segments_and_heights_that_increase_away_from_the_sample() {
-    let curve = one(&format!("{JPK}segment = {{ value = 0 }}"));
+    let curve = one(&format!(
+        "{JPK}segment = {{ value = 0 }}\nbaseline = \"off\""
+    ));
     assert_eq!((curve.table_rows, curve.rows.len()), (4000, 2000));
     assert_eq!(excluded(&curve, ExclusionReason::OtherSegment), 2000);
     check_ends(curve.force(), -5.1455792e-10, 3.4799183e-9);
@@ -100,8 +102,7 @@ fn an_optics11_file_has_a_long_header_and_its_own_indentation() {
 
 #[test]
 fn piezo_and_load_of_an_optics11_file_give_the_indentation_that_it_states() {
-    let columns =
-        "columns = { height = \"Piezo\", force = \"Load\" }\nspring_constant = \"0.019 N/m\"";
+    let columns = "columns = { height = \"Piezo\", force = \"Load\" }\nspring_constant = \"0.019 N/m\"\nbaseline = \"off\"";
     let curve = one(&format!("file = \"optics11*.txt\"\n{columns}"));
     let depth = curve.depth().unwrap();
     let stated = one("file = \"optics11*.txt\"\ncolumns = { depth = 3, force = 2 }");
@@ -116,8 +117,7 @@ fn piezo_and_load_of_an_optics11_file_give_the_indentation_that_it_states() {
 
 #[test]
 fn the_deflection_of_an_optics11_file_gives_the_load_that_it_states() {
-    let columns =
-        "columns = { height = \"Piezo\", deflection = \"Cantilever\" }\nspring_constant = 0.019";
+    let columns = "columns = { height = \"Piezo\", deflection = \"Cantilever\" }\nspring_constant = 0.019\nbaseline = \"off\"";
     let curve = one(&format!("file = \"optics11*.txt\"\n{columns}"));
     let stated = one("file = \"optics11*.txt\"\ncolumns = { depth = 3, force = 2 }");
     assert_eq!(curve.rows.len(), stated.rows.len());
