@@ -4,7 +4,7 @@ use pellicle::Run;
 use pellicle::display::{DisplayUnit, Unit};
 use pellicle::result::fields::Fields;
 use pellicle::result::square_fields::SquareFields;
-use pellicle_plot::sheet::style::{Heading, Style};
+use pellicle_plot::sheet::style::{Cut, Heading, Style};
 use pellicle_plot::step::crop::Crop;
 use pellicle_plot::step::section;
 use pellicle_plot::step::subject::Subject;
@@ -39,6 +39,7 @@ pub fn of_step(run: &Run, step: usize, detail: Detail) -> Option<Value> {
         fields: square.fields(),
         style: Style {
             heading,
+            cut: run.summary.presses_a_plane().then_some(Cut::Peak),
             ..Style::default()
         },
     };
@@ -52,15 +53,14 @@ pub fn of_step(run: &Run, step: usize, detail: Detail) -> Option<Value> {
     }))
 }
 
-/// The pressures of the elements along x beside the axis, in SI units or the case's own.
+/// The pressures of the elements along the section, in SI units or the case's own.
 fn along_x(subject: &Subject<'_>) -> Value {
     let fields = &subject.fields;
     let size = fields.size;
     let shown = Crop::around_contact(fields.pressure, size).x;
     let x: Vec<_> = shown.clone().map(|i| fields.centre_along(0, i)).collect();
-    let p: Vec<_> = shown
-        .map(|i| fields.pressure[i * size + size / 2])
-        .collect();
+    let row = section::row(subject).unwrap_or(size / 2);
+    let p: Vec<_> = shown.map(|i| fields.pressure[i * size + row]).collect();
     json!({ "x": x, "y": p })
 }
 

@@ -329,6 +329,12 @@ impl RunSummary {
         self.steps.iter().any(|step| step.rough_contact.is_some())
     }
 
+    /// Whether a plane is pressed on the surface, so that there is no axis.
+    #[must_use]
+    pub fn presses_a_plane(&self) -> bool {
+        self.case["indenter"]["kind"] == "flat"
+    }
+
     /// Whether the indenter is rigid, as it is unless its modulus or its body is stated.
     #[must_use]
     pub fn has_rigid_indenter(&self) -> bool {

@@ -87,7 +87,7 @@ fn style() -> impl Strategy<Value = Style> {
     (select(cuts), select(ranges)).prop_map(|(cut, pressures)| Style {
         heading: Heading::Hidden,
         pressures,
-        cut,
+        cut: Some(cut),
         ..Style::default()
     })
 }

@@ -60,7 +60,7 @@ pub struct PlotArguments {
     #[arg(long, value_name = "[FROM:]TO", value_parser = range)]
     pub range: Option<[f64; 2]>,
     /// Position of the section: axis, peak (through the largest pressure), y="5 um" (along x), x="5 um" (along y)
-    /// [default: axis]
+    /// [default: axis; peak where a plane is pressed]
     #[arg(long, value_name = "PLACE", value_parser = section)]
     pub section: Option<Cut>,
 }

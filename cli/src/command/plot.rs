@@ -113,6 +113,6 @@ fn style(arguments: &PlotArguments) -> Style {
         },
         colours: arguments.colour_map.unwrap_or_default(),
         pressures: arguments.range,
-        cut: arguments.section.unwrap_or_default(),
+        cut: arguments.section,
     }
 }

@@ -2,11 +2,16 @@
 
 use pellicle::display::{Unit, quantity};
 use pellicle::summary::{RunSummary, StepSummary};
-use pellicle_plot::sheet::style::Style;
+use pellicle_plot::sheet::style::{Cut, Style};
 use pellicle_plot::step::subject::Subject;
 
 use super::accuracy;
 use pellicle::result::fields::Fields;
+
+/// Where the section of a run is, if not through its axis: a plane has none.
+fn cut_of(run: &RunSummary) -> Option<Cut> {
+    run.presses_a_plane().then_some(Cut::Peak)
+}
 
 /// A step of a run with its fields.
 #[must_use]
@@ -31,6 +36,9 @@ pub fn of_step<'a>(
         units: run.units,
         relief_height: run.relief_height(),
         fields: *fields,
-        style,
+        style: Style {
+            cut: style.cut.or_else(|| cut_of(run)),
+            ..style
+        },
     }
 }

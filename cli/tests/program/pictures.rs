@@ -80,6 +80,26 @@ fn a_section_is_at_the_requested_place_and_states_its_depth_scale() {
 }
 
 #[test]
+fn a_pressed_plane_has_no_axis_and_its_section_is_through_the_largest_pressure() {
+    let folder = TestFolder::new();
+    for order in [
+        "init rough-map --out rough-surface.csv",
+        "init rough-periodic --out case.toml",
+    ] {
+        plot(&folder, order);
+    }
+    plot(
+        &folder,
+        "run case.toml --out rough --set grid.elements=32 --set load={force=1e-3} --formats npz",
+    );
+    let section = svg(&folder.path("rough/section-000.svg"));
+    let summary = folder.summary("rough");
+    let y = summary["steps"][0]["max_pressure_at"][1].as_f64().unwrap();
+    let y = quantity(y, Unit::Metre, Units::Si);
+    assert!(section.contains(&format!("section at y = {y}")), "{y}");
+}
+
+#[test]
 fn the_colour_bar_has_the_given_pressure_range() {
     let folder = results();
     plot(&folder, "plot one --out r --range 0.5GPa:3GPa");

@@ -17,8 +17,8 @@ pub struct Style {
     pub colours: ColourMap,
     /// Ends of the scale of pressures, Pa; by default 0 and the largest pressure.
     pub pressures: Option<[f64; 2]>,
-    /// The place of the section.
-    pub cut: Cut,
+    /// The place of the section; by default through the axis.
+    pub cut: Option<Cut>,
 }
 
 /// Whether a picture has a heading.

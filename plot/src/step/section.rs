@@ -55,7 +55,7 @@ enum ElementLine {
 impl ElementLine {
     fn of(subject: &Subject<'_>) -> Self {
         let fields = &subject.fields;
-        match subject.style.cut {
+        match subject.style.cut.unwrap_or_default() {
             Cut::Axis => Self::AlongX(fields.size / 2),
             Cut::Peak => Self::AlongX(peak(fields.pressure) % fields.size),
             Cut::AlongX(y) => Self::AlongX(fields.nearest(y)),
@@ -69,6 +69,15 @@ impl ElementLine {
             Self::AlongX(index) => ("x", "y", index),
             Self::AlongY(index) => ("y", "x", index),
         }
+    }
+}
+
+/// The second index of the elements of a section along x; none along y.
+#[must_use]
+pub fn row(subject: &Subject<'_>) -> Option<usize> {
+    match ElementLine::of(subject) {
+        ElementLine::AlongX(row) => Some(row),
+        ElementLine::AlongY(_) => None,
     }
 }
 
