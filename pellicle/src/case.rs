@@ -1,6 +1,7 @@
 //! The case file: one problem in TOML, read into numbers and checked, every default filled in.
 
 pub mod adhesion;
+mod bare_value;
 pub mod builder;
 pub mod caller_shape;
 mod flat;
@@ -302,7 +303,8 @@ impl Case {
     /// A [`Diagnosis`] of the first fault.
     pub fn resolve_with(root: &TomlNode, name: &str, maps: &MapSources) -> Result<Self, Diagnosis> {
         let table = TableReader::root(root)?;
-        table.only(&Self::shape().keys()).map_err(|diagnosis| {
+        let shape = Self::shape();
+        table.only(&shape.keys()).map_err(|diagnosis| {
             if table.optional("study").is_none() {
                 return diagnosis;
             }
@@ -314,6 +316,7 @@ impl Case {
         };
         // One line for pictures, tables and terminals, without control characters.
         let title = title.replace(char::is_control, " ");
+        bare_value::refuse(&table, &shape)?;
         let required = |key| table.required(key, &format!("a table [{key}]"))?.table();
         let optional = |key| table.optional(key).map(ValueReader::table).transpose();
         let mut scope = Scope {

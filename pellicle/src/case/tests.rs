@@ -125,3 +125,12 @@ fn a_missing_table_is_reported_at_the_end() {
         "{message}"
     );
 }
+
+#[test]
+fn a_value_in_place_of_a_table_is_answered_with_its_key() {
+    let found = read(CASE, &["load=200 mN"]).unwrap_err().to_string();
+    assert!(
+        found.contains("wanted a table, such as { force = \"200 mN\" }"),
+        "{found}"
+    );
+}
