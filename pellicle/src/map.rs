@@ -7,6 +7,8 @@
 //! Heights that are missing are NaN.
 
 mod axes;
+mod blocks;
+mod comma;
 mod error;
 mod grid_lines;
 mod grid_points;

@@ -75,6 +75,9 @@ pub struct MapCase {
     /// Whether the sides are those of a file that names no unit.
     #[serde(skip)]
     pub has_bare_sides: bool,
+    /// Whether the sides are those of a file that may lack lines.
+    #[serde(skip)]
+    pub may_be_cut: bool,
     /// The units; SI if the file names one.
     #[serde(skip)]
     pub units: Units,
@@ -215,6 +218,7 @@ impl MapCase {
             perhaps_holes: filled.perhaps,
             off_grid: file.off_grid,
             has_bare_sides: are_bare,
+            may_be_cut: file.may_be_cut && keys.side.is_none() && keys.sides.is_none(),
             units: units(&file),
             heights: Arc::new(heights.with_interpolation(keys.interpolation.into())),
             repeats: None,

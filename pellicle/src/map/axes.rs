@@ -13,7 +13,7 @@ const ROUNDING: f64 = 0.05;
 ///
 /// # Errors
 ///
-/// [`MapError::Axis`] if the first column or line has equal steps and the next has not, or
+/// [`MapError::Axis`] if the first or last column or the first line has equal steps and the next has not, or
 /// [`MapError::MoreThanPoints`] if the first three columns are points of a grid.
 pub fn check(columns: usize, picture: &[f64]) -> Result<(), MapError> {
     let lines = picture.len() / columns.max(1);
@@ -27,10 +27,16 @@ pub fn check(columns: usize, picture: &[f64]) -> Result<(), MapError> {
         return Ok(());
     }
     if is_axis(column(0), column(1)) {
-        return Err(MapError::Axis { which: "column" });
+        let which = "first column";
+        return Err(MapError::Axis { which });
+    }
+    if is_axis(column(columns - 1), column(columns - 2)) {
+        let which = "last column";
+        return Err(MapError::Axis { which });
     }
     if is_axis(line(0), line(1)) {
-        return Err(MapError::Axis { which: "line" });
+        let which = "first line";
+        return Err(MapError::Axis { which });
     }
     if columns > 3 && lines >= grid_points::MANY_LINES {
         let first = picture.chunks_exact(columns).flat_map(|line| &line[..3]);
@@ -70,6 +76,7 @@ mod tests {
     #[test]
     fn coordinates_beside_heights_are_no_heights() {
         let with_column = picture(|j, i| if i == 0 { j as f64 } else { wave(j, i) });
+        let with_last = picture(|j, i| if i == 11 { j as f64 } else { wave(j, i) });
         let with_line = picture(|j, i| {
             if j == 0 {
                 0.0938 * i as f64
@@ -84,9 +91,10 @@ mod tests {
             _ => wave(j, i),
         });
         for (numbers, axis) in [
-            (with_column, "column"),
-            (with_line, "line"),
-            (with_both, "column"),
+            (with_column, "first column"),
+            (with_last, "last column"),
+            (with_line, "first line"),
+            (with_both, "first column"),
         ] {
             let told = check(12, &numbers);
             assert!(

@@ -46,15 +46,15 @@ pub enum MapError {
     Points(#[from] PointsError),
     /// Coordinates in the first column or line.
     #[error(
-        "whose first {which} rises or falls in equal steps, as coordinates do, and the next does not: delete it if it is no heights, or let lines \"ncols\" and \"nrows\" above say that it is"
+        "whose {which} rises or falls in equal steps, as coordinates do, and the next does not: delete it if it is no heights, or let lines \"ncols\" and \"nrows\" above say that it is"
     )]
     Axis {
-        /// `column` or `line`.
+        /// `first column`, `last column` or `first line`.
         which: &'static str,
     },
     /// Points of a grid with more columns.
     #[error(
-        "whose first three of {columns} columns are points x, y, z of a grid: delete the others"
+        "whose {columns} columns hold the points x, y, z of a grid and more: keep the columns of x, y and z alone"
     )]
     MoreThanPoints {
         /// Numbers on each line.
@@ -97,7 +97,9 @@ pub enum MapError {
         wanted: usize,
     },
     /// Two maps in one file.
-    #[error("where line {line} begins a second map: a file holds one")]
+    #[error(
+        "where line {line} begins a second map: a file holds one; if it is the same map, delete the line without numbers before it"
+    )]
     Several {
         /// Line, from 1.
         line: usize,
@@ -127,6 +129,28 @@ pub enum MapError {
         said: String,
         /// Numbers found.
         found: usize,
+    },
+    /// The counts of the head, exchanged.
+    #[error(
+        "which holds {columns} lines of {rows} numbers, though its head says ncols {columns} and nrows {rows}: exchange the two"
+    )]
+    Exchanged {
+        /// `ncols`.
+        columns: usize,
+        /// `nrows`.
+        rows: usize,
+    },
+    /// Another shape than the head tells.
+    #[error("which holds {lines} lines of {columns} numbers, though its head says {key} {said}")]
+    OtherShape {
+        /// What the head gives.
+        key: &'static str,
+        /// Its value.
+        said: String,
+        /// Numbers on each line.
+        columns: usize,
+        /// Number of lines.
+        lines: usize,
     },
     /// Fewer or more data than the header states.
     #[error("which holds {found} bytes of data, but its header says {wanted}")]

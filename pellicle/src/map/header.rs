@@ -7,12 +7,16 @@
 use super::error::MapError;
 use super::map_file::MapFile;
 use super::point_units::PointUnits;
+use super::text::rows;
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
 
 /// Ratio of the sides of a pixel from which one of them is not a side: a square scan of a thousand samples on a line
 /// has ten lines at least.
 const LONGEST_PIXEL: f64 = 100.0;
+
+/// Part by which a width may differ from its pixels, of which one more or less may be counted.
+const SAME_SIZE: f64 = 0.05;
 
 const SIDE_ALONG_Y: &str = "the side along y: delete the line if it is the height of the surface";
 
@@ -25,10 +29,16 @@ pub struct MapHeader {
     height: Option<f64>,
     /// Side of a pixel, m.
     pixel: Option<f64>,
-    /// Side of a pixel in a unit that is not named.
-    cell: Option<f64>,
+    /// Sides of a pixel in a unit that is not named.
+    cell: [Option<f64>; 2],
+    /// Sides of a pixel that the head gives one by one, m.
+    pixels: [Option<f64>; 2],
     /// Numbers in a row, and rows.
     counts: [Option<usize>; 2],
+    /// The same by keys of other programs, which only confirm them.
+    told: [Option<usize>; 2],
+    /// What a comma before three digits is in its numbers, as far as the heights show it.
+    comma: ThreeDigits,
     /// Unit of the heights.
     unit: Option<String>,
     /// The height that stands for a missing one.
@@ -37,7 +47,40 @@ pub struct MapHeader {
     points: Option<PointUnits>,
 }
 
+/// What a comma before three digits is.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+enum ThreeDigits {
+    /// A decimal mark, as in the heights.
+    Decimal,
+    /// A mark of thousands, as the heights have decimal points.
+    Thousands,
+    /// Either: the heights have neither.
+    #[default]
+    Unknown,
+}
+
 impl MapHeader {
+    /// The head above the heights of a text, empty.
+    pub fn above(text: &str, head: usize) -> Self {
+        let has = |mark: char| {
+            rows(text).skip(head).any(|(_, row)| {
+                let mut parts = row.split(mark);
+                let digit = |c: char| c.is_ascii_digit();
+                let before = parts.next().is_some_and(|part| part.ends_with(digit));
+                before && parts.next().is_some_and(|part| part.starts_with(digit))
+            })
+        };
+        let comma = match (has('.'), has(',')) {
+            (true, _) => ThreeDigits::Thousands,
+            (false, true) => ThreeDigits::Decimal,
+            (false, false) => ThreeDigits::Unknown,
+        };
+        Self {
+            comma,
+            ..Self::default()
+        }
+    }
+
     /// Reads a line of the head.
     ///
     /// # Errors
@@ -50,23 +93,66 @@ impl MapHeader {
         let Some((key, value)) = entry(line) else {
             return Ok(());
         };
-        let number = with_point(value);
-        let length = || quantity::parse(&number, Dimension::Length).ok();
+        let number = with_point(value, self.comma);
+        let length = || match &number {
+            Some(number) => Ok(quantity::parse(number, Dimension::Length).ok()),
+            None => Err(MapError::header(
+                "size",
+                value,
+                "one without a mark of thousands",
+            )),
+        };
+        let bare = || number.as_ref().and_then(|number| number.parse().ok());
         match key.as_str() {
-            "width" => self.width = self.width.or_else(length),
-            "height" => self.height = self.height.or_else(length),
-            "pixel size" => self.pixel = self.pixel.or_else(length),
-            "cellsize" if length().is_some() => self.pixel = length(),
-            "cellsize" => self.cell = Some(cell(&number)?),
+            "width" => self.width = self.width.or(length()?),
+            "height" => self.height = self.height.or(length()?),
+            "pixel size" => self.pixel = self.pixel.or(length()?),
+            "cellsize" => match length()? {
+                Some(pixel) => self.pixel = Some(pixel),
+                None => self.cell = [Some(cell(value, bare())?); 2],
+            },
+            "dx" | "dy" => {
+                let axis = usize::from(key == "dy");
+                self.pixels[axis] = self.pixels[axis].or(length()?);
+                self.cell[axis] = self.cell[axis].or(bare().filter(|cell| *cell > 0.0));
+            }
             "ncols" => self.counts[0] = Some(count("ncols", value)?),
             "nrows" => self.counts[1] = Some(count("nrows", value)?),
-            "nodata_value" => {
-                self.missing = self.missing.or_else(|| number.parse().ok());
+            "nodata value" => self.missing = self.missing.or_else(bare),
+            "value unit" | "z unit" | "height unit" | "data unit" if !value.is_empty() => {
+                self.take_unit(value)?;
             }
-            "value units" | "z units" if !value.is_empty() => self.unit = Some(value.to_owned()),
-            _ => {}
+            _ => self.tell_counts(&key, value),
         }
         Ok(())
+    }
+
+    /// Takes the unit of the heights.
+    fn take_unit(&mut self, unit: &str) -> Result<(), MapError> {
+        let length = |unit: &str| quantity::one(unit, Dimension::Length).ok();
+        match &self.unit {
+            Some(known) if known != unit && length(known) != length(unit) => {
+                let found = format!("{known} and {unit}");
+                Err(MapError::header("unit", &found, "one unit of the heights"))
+            }
+            _ => {
+                self.unit = Some(unit.to_owned());
+                Ok(())
+            }
+        }
+    }
+
+    /// Takes a count by a key of another program.
+    fn tell_counts(&mut self, key: &str, value: &str) {
+        const KEYS: [&[&str]; 2] = [
+            &["x pixel", "nx", "xre", "samples/line", "column"],
+            &["y pixel", "ny", "yre", "line", "row"],
+        ];
+        for (keys, told) in KEYS.iter().zip(&mut self.told) {
+            if keys.contains(&key) {
+                *told = value.parse().ok().or(*told);
+            }
+        }
     }
 
     /// Whether a line has a key of a head.
@@ -87,9 +173,23 @@ impl MapHeader {
     ///
     /// # Errors
     ///
-    /// [`MapError::Count`] if there are not as many numbers as the head says.
-    pub fn columns(&self, of_lines: usize, numbers: usize) -> Result<usize, MapError> {
+    /// [`MapError::Count`] if there are not as many numbers as the head says, [`MapError::Exchanged`] if all lines are
+    /// alike and as many as there should be numbers on each.
+    pub fn columns(
+        &self,
+        of_lines: usize,
+        numbers: usize,
+        are_alike: bool,
+    ) -> Result<usize, MapError> {
         let said = match self.counts {
+            [Some(columns), Some(rows)]
+                if are_alike
+                    && columns != rows
+                    && of_lines == rows
+                    && numbers == columns * rows =>
+            {
+                return Err(MapError::Exchanged { columns, rows });
+            }
             _ if numbers == 0 => return Err(MapError::Empty),
             [Some(columns), Some(rows)] => columns.checked_mul(rows),
             [Some(columns), None] => Some(numbers).filter(|all| all.is_multiple_of(columns)),
@@ -139,6 +239,7 @@ impl MapHeader {
     ///
     /// [`MapError::Header`] for a `Height` that is that of the surface and no side.
     pub fn apply(self, map: &mut MapFile) -> Result<(), MapError> {
+        self.check(map.shape)?;
         if map.has_one_unit
             && let Some(units) = self.points
         {
@@ -151,8 +252,12 @@ impl MapHeader {
             (Some(x), Some(y)) => Some([x, y]),
             (Some(x), None) => Some(of_pixels(x / along_x)),
             (None, Some(y)) => Some(of_pixels(y / along_y)),
-            (None, None) => self.pixel.map(of_pixels),
+            (None, None) => match self.pixels {
+                [Some(x), Some(y)] => Some([x * along_x, y * along_y]),
+                _ => self.pixel.map(of_pixels),
+            },
         };
+        map.may_be_cut = self.width.is_some() && self.height.is_some() && self.counts[1].is_none();
         if let (Some([x, y]), Some(height)) = (sides, self.height) {
             let [x, y] = [x / along_x, y / along_y];
             if x.max(y) > LONGEST_PIXEL * x.min(y) {
@@ -164,7 +269,9 @@ impl MapHeader {
             map.sides = Some(sides);
             map.lateral_unit = Some("m".into());
         }
-        map.sides = map.sides.or_else(|| self.cell.map(of_pixels));
+        if let [Some(x), Some(y)] = self.cell {
+            map.sides = map.sides.or(Some([x * along_x, y * along_y]));
+        }
         map.height_unit = map.height_unit.take().or(self.unit);
         if let Some(missing) = self.missing {
             let is_missing = |height: &&mut f64| (**height - missing).abs() <= 0.0;
@@ -173,30 +280,65 @@ impl MapHeader {
         }
         Ok(())
     }
+
+    /// Checks that counts and sizes agree with a shape.
+    fn check(&self, [columns, lines]: [usize; 2]) -> Result<(), MapError> {
+        let wrong = |key, said: String| MapError::OtherShape {
+            key,
+            said,
+            columns,
+            lines,
+        };
+        for (told, (found, key)) in self
+            .told
+            .iter()
+            .zip([(columns, "columns"), (lines, "rows")])
+        {
+            if let Some(told) = told.filter(|told| *told != found) {
+                return Err(wrong(key, told.to_string()));
+            }
+        }
+        let pixel = self.pixels[0].or(self.pixel);
+        if let (Some(width), Some(pixel)) = (self.width, pixel)
+            && (width / pixel / columns as f64 - 1.0).abs() > SAME_SIZE
+        {
+            let said = format!("{width:e} m and pixel size {pixel:e} m");
+            return Err(wrong("width", said));
+        }
+        Ok(())
+    }
 }
 
-/// The key of a line in small letters, and its value.
+/// The key of a line in small letters and without plurals and hyphens, and its value.
 fn entry(line: &str) -> Option<(String, &str)> {
     let line = line.trim_start_matches(['#', ' ', '\t']);
     let split = line.split_once([':', '=']);
     let (key, value) = split.or_else(|| line.split_once(char::is_whitespace))?;
-    Some((key.trim().to_lowercase(), value.trim()))
+    let key = key.trim().to_lowercase().replace(['_', '-'], " ");
+    let key = match key.as_str() {
+        "ncols" | "nrows" => key,
+        _ => key.trim_end_matches('s').to_owned(),
+    };
+    Some((key, value.trim()))
 }
 
-/// A value with a point in place of a decimal comma, `10,00 µm`.
-fn with_point(value: &str) -> String {
+/// A value with a point in place of a decimal comma, `10,00 µm`, and without one of thousands; none if it may be
+/// either.
+fn with_point(value: &str, comma: ThreeDigits) -> Option<String> {
     let ends_in_digit = |text: &str| text.ends_with(|c: char| c.is_ascii_digit());
-    let begins_with_digit = |text: &str| text.starts_with(|c: char| c.is_ascii_digit());
-    match value.split_once(',') {
-        Some((whole, fraction))
-            if ends_in_digit(whole)
-                && begins_with_digit(fraction)
-                && !value.contains('.')
-                && !fraction.contains(',') =>
-        {
-            format!("{whole}.{fraction}")
-        }
-        _ => value.to_owned(),
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let Some((whole, fraction)) = value.split_once(',') else {
+        return Some(value.to_owned());
+    };
+    let has_others = value.contains('.') || fraction.contains(',');
+    if !ends_in_digit(whole) || digits(fraction) == 0 || has_others {
+        return Some(value.to_owned());
+    }
+    let may_be_thousands = digits(fraction) == 3 && digits(whole) == whole.len() && whole != "0";
+    match comma {
+        ThreeDigits::Thousands if may_be_thousands => Some(format!("{whole}{fraction}")),
+        ThreeDigits::Unknown if may_be_thousands => None,
+        _ => Some(format!("{whole}.{fraction}")),
     }
 }
 
@@ -205,9 +347,8 @@ fn count(key: &'static str, value: &str) -> Result<usize, MapError> {
     count.ok_or_else(|| MapError::header(key, value, "a positive number"))
 }
 
-fn cell(value: &str) -> Result<f64, MapError> {
-    let is_length = |cell: &f64| *cell > 0.0 && cell.is_finite();
-    let cell = value.parse().ok().filter(is_length);
+fn cell(value: &str, cell: Option<f64>) -> Result<f64, MapError> {
+    let cell = cell.filter(|cell: &f64| *cell > 0.0 && cell.is_finite());
     cell.ok_or_else(|| MapError::header("cellsize", value, "a positive length"))
 }
 
@@ -258,8 +399,54 @@ mod tests {
         let map = applied(&["ncols 4", "nrows 2", "cellsize 0,5", "NODATA_value 1,0"]);
         assert_eq!(map.sides, Some([2.0, 1.0]));
         assert!(map.heights.iter().all(|height| height.is_nan()));
+        for (heights, side) in [("1.5 2.5", Some(1024e-6)), ("1,5;2,5", Some(1.024e-6))] {
+            let mut header = MapHeader::above(heights, 0);
+            header.read("Width: 1,024 um").unwrap();
+            assert_eq!(header.width, side);
+        }
+        let mut header = MapHeader::above("1 2", 0);
+        let message = header.read("Width: 1,024 um").unwrap_err().to_string();
+        assert!(message.contains("mark of thousands"), "{message}");
         assert_eq!(applied(&["Width: 1,024.5 um"]).sides, None);
         assert_eq!(applied(&["Width: 1,024,5 um"]).sides, None);
+    }
+
+    fn refused(lines: &[&str]) -> String {
+        let mut header = MapHeader::default();
+        let read = lines.iter().try_for_each(|line| header.read(line));
+        let map = &mut MapFile::bare([4, 2], vec![1.0; 8]);
+        read.and_then(|()| header.apply(map))
+            .unwrap_err()
+            .to_string()
+    }
+
+    #[test]
+    fn what_contradicts_the_heights_or_itself_is_refused() {
+        for (lines, said) in [
+            (
+                ["nx = 2", "ny = 4"],
+                "2 lines of 4 numbers, though its head says columns 2",
+            ),
+            (
+                ["x-pixels: 4", "y-pixels: 3"],
+                "though its head says rows 3",
+            ),
+            (
+                ["Width: 8 um", "Pixel size: 0.5 um"],
+                "width 8e-6 m and pixel size 5e-7 m",
+            ),
+            (["Value units: nm", "z-unit: um"], "unit = nm and um"),
+            (["Z unit: nm", "z-unit = V"], "unit = nm and V"),
+        ] {
+            let message = refused(&lines);
+            assert!(message.contains(said), "{message}");
+        }
+        let map = applied(&["dx 0.125", "dy 0.25", "Height unit: um", "samples/line: 4"]);
+        assert_eq!(
+            (map.sides, map.height_unit.as_deref()),
+            (Some([0.5, 0.5]), Some("um"))
+        );
+        assert_sides(&applied(&["dx=1 um", "dy=2 um"]), [4e-6, 4e-6]);
     }
 
     #[test]

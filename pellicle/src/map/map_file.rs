@@ -15,6 +15,8 @@ pub struct MapFile {
     pub height_unit: Option<String>,
     /// Whether the sides are in the unit of the heights unless a unit is named, as for points x, y, z.
     pub has_one_unit: bool,
+    /// Whether it has a size of its own along both sides, and may lack lines that were not measured.
+    pub may_be_cut: bool,
     /// Points x, y, z that are missing on their grid; their heights are NaN, as are those that the file marks as bad.
     pub missing_points: usize,
     /// The largest distance of a point from its place on the grid along x or y, in spacings.
@@ -31,6 +33,7 @@ impl MapFile {
             lateral_unit: None,
             height_unit: None,
             has_one_unit: false,
+            may_be_cut: false,
             missing_points: 0,
             off_grid: 0.0,
         }

@@ -5,15 +5,16 @@
 //! as `Bad`, `NaN` and `#N/A` stand for heights that are missing, and so does an empty cell, but for one at a line's
 //! end.
 
+use std::borrow::Cow;
+
 use super::axes;
+use super::blocks;
+use super::comma::{Comma, either};
 use super::error::MapError;
 use super::grid_points::{self, PointsError};
 use super::header::MapHeader;
 use super::map_file::MapFile;
 use crate::input::decode::TextEncoding;
-
-/// With fewer lines than this, two columns of integers are a small map.
-const MIN_COLUMN_LINES: usize = 3;
 
 /// From this many lines on, two columns are a profile: no map is two samples wide.
 const PROFILE_LINES: usize = 8;
@@ -52,7 +53,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
         encoding: error.encoding,
         line: error.line,
     })?;
-    let text = decoded.text.trim_start_matches('\u{feff}');
+    let text = &*unquoted(decoded.text.trim_start_matches('\u{feff}'));
     let head = head(text);
     let comma = Comma::in_text(text, head);
     if comma == Comma::Separator
@@ -60,10 +61,11 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     {
         return Err(MapError::CommaOrPoint { found });
     }
-    let mut header = MapHeader::default();
+    let mut header = MapHeader::above(text, head);
     (text.lines().take(head)).try_for_each(|line| header.read(line))?;
     let (mut picture, mut columns) = (Vec::new(), 0);
     let mut other_head = None;
+    let mut are_alike = true;
     for (line, row) in rows(text).skip(head) {
         let before = picture.len();
         comma.read(line, row, &mut picture)?;
@@ -74,9 +76,9 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
             0 => {}
             _ if let Some(line) = other_head => return Err(MapError::Several { line }),
             found if columns == 0 => columns = found,
-            // As many numbers as the head says may be wrapped anywhere.
-            _ if header.has_columns() => {}
             found if found == columns => {}
+            // As many numbers as the head says may be wrapped anywhere.
+            _ if header.has_columns() => are_alike = false,
             found => {
                 return Err(MapError::Ragged {
                     line,
@@ -86,7 +88,10 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
             }
         }
     }
-    let mut map = match header.columns(columns, picture.len())? {
+    if columns != 3 && !header.has_columns() {
+        blocks::refuse(text, head)?;
+    }
+    let mut map = match header.columns(columns, picture.len(), are_alike)? {
         columns if header.has_columns() => MapFile::from_picture(columns, &picture),
         columns => of_columns(columns, &picture, &header)?,
     };
@@ -133,18 +138,31 @@ fn head(text: &str) -> usize {
     rows(text).take_while(|(_, row)| is_head(row)).count()
 }
 
+/// The text without quotation marks; a comma between two of them is a decimal mark.
+fn unquoted(text: &str) -> Cow<'_, str> {
+    if !text.contains('"') {
+        return text.into();
+    }
+    let parts = text.split('"').enumerate();
+    let plain = |(index, part): (usize, &str)| match index % 2 {
+        1 if !part.contains('\n') => part.replace(',', "."),
+        _ => part.to_owned(),
+    };
+    parts.map(plain).collect::<String>().into()
+}
+
 /// Whether a comment is a line of the head of a map.
 fn begins_map(text: &str, line: usize) -> bool {
     let line = text.lines().nth(line - 1).unwrap_or_default();
     line.trim_start().starts_with('#') && MapHeader::has_key(line)
 }
 
-fn is_missing(word: &str) -> bool {
+pub(super) fn is_missing(word: &str) -> bool {
     MISSING.contains(&word.to_lowercase().as_str())
 }
 
 /// The lines without their comments, counted from 1.
-fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
+pub(super) fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
     (1..).zip(text.lines().map(|line| &line[..comment(line)]))
 }
 
@@ -157,100 +175,6 @@ fn comment(line: &str) -> usize {
     };
     let mut places = line.match_indices('#').map(|(place, _)| place);
     places.find(is_comment).unwrap_or(line.len())
-}
-
-/// The meaning of a comma in a text.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Comma {
-    Separator,
-    DecimalMark,
-}
-
-impl Comma {
-    /// Determines the separator, which is the same on all lines: a comma, unless there are semicolons, or blanks
-    /// without an adjacent comma.
-    fn in_text(text: &str, head: usize) -> Self {
-        let is_separated = |row: &str| {
-            let mut words = row.split_whitespace();
-            let mut before = words.next().unwrap_or(",");
-            row.contains(';')
-                || words.any(|word| {
-                    let is_blank = !before.ends_with(',') && !word.starts_with(',');
-                    before = word;
-                    is_blank
-                })
-        };
-        if rows(text).skip(head).any(|(_, row)| is_separated(row)) {
-            Self::DecimalMark
-        } else {
-            Self::Separator
-        }
-    }
-
-    /// Adds the numbers of a line.
-    fn read(self, line: usize, row: &str, picture: &mut Vec<f64>) -> Result<(), MapError> {
-        let row = row.trim_matches([' ', '\r']);
-        let separator = match self {
-            _ if row.contains(';') => ';',
-            Self::Separator => ',',
-            Self::DecimalMark => '\t',
-        };
-        if row.is_empty() {
-            return Ok(());
-        }
-        let cells = row.strip_suffix(separator).unwrap_or(row).split(separator);
-        for cell in cells {
-            let mut words = cell.split_whitespace().peekable();
-            if words.peek().is_none() {
-                picture.push(f64::NAN);
-            }
-            for word in words {
-                picture.push(number(line, word)?);
-            }
-        }
-        Ok(())
-    }
-}
-
-/// Returns the first line of a text that may be one column with decimal commas or two columns of integers.
-fn either(text: &str, head: usize) -> Option<String> {
-    let is_integer = |text: &str| {
-        let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
-        !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit())
-    };
-    let is_either = |row: &str| {
-        let parts = row.split_once(',');
-        parts.is_some_and(|(whole, fraction)| {
-            is_integer(whole) && is_integer(fraction) && !fraction.starts_with(['-', '+'])
-        })
-    };
-    let lines = rows(text).skip(head);
-    let lines: Vec<_> = lines.map(|(_, row)| row.trim()).collect();
-    let mut lines = lines.into_iter().filter(|row| !row.is_empty()).peekable();
-    let first = lines.peek()?.chars().take(40).collect();
-    let count = lines.clone().count();
-    (count >= MIN_COLUMN_LINES && lines.all(is_either)).then_some(first)
-}
-
-fn number(line: usize, word: &str) -> Result<f64, MapError> {
-    if is_missing(word) {
-        return Ok(f64::NAN);
-    }
-    let found = || word.chars().take(40).collect();
-    let Some((whole, fraction)) = word.split_once(',') else {
-        return word.parse().map_err(|_| MapError::NotANumber {
-            line,
-            found: found(),
-        });
-    };
-    let is_decimal = !whole.is_empty() && !fraction.is_empty() && !word.contains('.');
-    let parsed = format!("{whole}.{fraction}").parse().ok();
-    parsed
-        .filter(|_| is_decimal)
-        .ok_or_else(|| MapError::Comma {
-            line,
-            found: found(),
-        })
 }
 
 #[cfg(test)]

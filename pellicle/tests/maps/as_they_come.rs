@@ -328,3 +328,19 @@ fn exchanged_sides_are_told_and_oblong_pixels_are_not() {
         assert_eq!(told(right), None);
     }
 }
+
+#[test]
+fn lines_that_are_missing_by_the_size_in_the_head_are_told() {
+    let with_head =
+        |height: &str| format!("Width: 1.4 um\nHeight: {height} um\n{}", rows(|_| None));
+    let told = |height: &str| {
+        let text = with_head(height);
+        let found = case("m.txt", text.as_bytes(), "height_unit = \"nm\"").unwrap();
+        let warnings = found.warnings(1e-6).into_iter();
+        let oblong: Vec<_> = warnings.filter(|of| of.code == "oblong-pixels").collect();
+        oblong.first().map(|warning| warning.message.clone())
+    };
+    assert_eq!(told("1.0"), None);
+    let message = told("1.7").expect("a warning");
+    assert!(message.contains("are lines missing?"), "{message}");
+}

@@ -335,7 +335,7 @@ fn text_and_points() {
             (
                 "points with a fourth column",
                 text(&points.replace('\n', " 0.5\n")),
-                Refused("first three of 4 columns are points"),
+                Refused("4 columns hold the points x, y, z"),
             ),
             (
                 "numbers of lines",
@@ -346,6 +346,26 @@ fn text_and_points() {
                 "the height of the surface for a side",
                 text("Width: 4 um\nHeight: 9 nm\n1 2 3 4\n5 6 7 8\n"),
                 Refused("Height = 9e-9 m"),
+            ),
+            (
+                "another map",
+                text("1 2 3 4\n5 6 7 8\n\n1 2 3 4\n5 6 7 9\n"),
+                Refused("line 4 begins a second map"),
+            ),
+            (
+                "decimal commas among commas",
+                text("1,89,-2,03,0,50,1,07\n1,89,2,03,0,50,1,01\n"),
+                Refused("may be one number or two"),
+            ),
+            (
+                "counts exchanged",
+                text("ncols 2\nnrows 4\n1 2 3 4\n5 6 7 8\n"),
+                Refused("exchange the two"),
+            ),
+            (
+                "numbers in quotation marks",
+                text("\"1,0\",\"2\",\"3\",\"4\"\n\"5\",\"6\",\"7\",\"8\"\n"),
+                Read([4, 2], [5.0, 4.0]),
             ),
             ("points", text(&points), Read([6, 5], [1.0, 30.0])),
             (

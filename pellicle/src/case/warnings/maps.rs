@@ -138,7 +138,7 @@ fn off_grid(table: &str, map: &MapCase) -> Option<CaseWarning> {
     })
 }
 
-/// The warning about sides that would make the pixels square if they were exchanged.
+/// The warning about sides that would make the pixels square if they were exchanged, or if lines were not missing.
 fn oblong_pixels(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
     let ([x, y], shape) = (map.sides, map.shape());
     let [along_x, along_y] = shape.map(|samples| samples as f64);
@@ -147,10 +147,19 @@ fn oblong_pixels(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning
     let is_exchanged = ratio(pixel) > OBLONG && ratio([y / along_x, x / along_y]) <= SQUARE;
     let metres = |value| quantity(value, Unit::Metre, units);
     let [x, y] = [x, y].map(metres);
-    is_exchanged.then(|| CaseWarning {
+    let doubt = match () {
+        () if is_exchanged => format!(
+            "which would be square on {y} by {x}: are the sides exchanged, or the axes of the map?"
+        ),
+        () if map.may_be_cut && pixel[1] > SQUARE * pixel[0] => {
+            "by the size that its head states: are lines missing?".into()
+        }
+        () => return None,
+    };
+    Some(CaseWarning {
         code: "oblong-pixels",
         message: format!(
-            "the map of the {table}, {}, has {} samples on {x} along x and {} on {y} along y, pixels of {} by {}, which would be square on {y} by {x}: are the sides exchanged, or the axes of the map?",
+            "the map of the {table}, {}, has {} samples on {x} along x and {} on {y} along y, pixels of {} by {}, {doubt}",
             map.file,
             shape[0],
             shape[1],
