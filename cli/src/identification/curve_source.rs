@@ -166,13 +166,14 @@ impl CurveSource {
         };
         let is_before = |point: &usize| before.has(self.measured.rows[*point]);
         let in_fit = self.points.iter().filter(|point| is_before(point)).count();
-        if in_fit >= FEWEST_POINTS {
-            return ForceZero::InFit;
-        }
         let forces = self.measured.force().unwrap_or_default().iter();
         let largest = forces.fold(0.0, |most: f64, force| most.max(force.abs()));
         let [mean, error] = before.zero();
-        ForceZero::Measured([mean, error.max(DIGITS * largest)])
+        let zero = [mean, error.max(DIGITS * largest)];
+        if in_fit >= FEWEST_POINTS {
+            return ForceZero::InFit(before.is_subtracted.then_some(zero));
+        }
+        ForceZero::Measured(zero)
     }
 
     /// Where its abscissa begins, if the file shows it.

@@ -1,7 +1,7 @@
 //! The zeros of the depths and the forces of a fit's curves.
 
 use pellicle_identify::fit_file::FitFile;
-use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO, ForceZero};
+use pellicle_identify::fit_file::nuisance::{DEPTH_ZERO, FORCE_ZERO, ForceZero, LOOSELY};
 use pellicle_identify::{
     Coefficient, Fit, ForwardError, ForwardModel as _, IdentifyError, LinearNuisance,
     NuisanceShape, Observable, Prediction, Reading, Scope,
@@ -30,7 +30,7 @@ pub fn of_abscissa(file: &FitFile, sources: &[(usize, CurveSource)]) -> Option<&
 const LEAST_SLOPE: f64 = 1e-15;
 
 /// The slope of each baseline that was subtracted from observed forces, as it is known no better than its stretch
-/// tells; where that is in the fit, it is found there.
+/// tells; where that is in the fit, it is found there and only held loosely.
 ///
 /// # Errors
 ///
@@ -54,7 +54,9 @@ pub fn baseline_slopes(
             .map(move |abscissa| abscissa - contact)
     });
     let prior = |source: &CurveSource| match (subtracted(source), source.force_zero()) {
-        (Some(_), ForceZero::InFit) => None,
+        (Some(before), ForceZero::InFit(_)) => {
+            Some([0.0, (LOOSELY * before.line.slope_sd).max(LEAST_SLOPE)])
+        }
         (Some(before), _) => Some([0.0, before.line.slope_sd.max(LEAST_SLOPE)]),
         // Nothing was subtracted, so there is no slope to be wrong.
         (None, _) => Some([0.0, LEAST_SLOPE]),

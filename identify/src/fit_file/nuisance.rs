@@ -20,6 +20,11 @@ pub const DEPTH_ZERO: &str = "depth_zero";
 /// See [`DEPTH_ZERO`].
 pub const FORCE_ZERO: &str = "force_zero";
 
+/// A line through points that are in the fit holds its zero and its slope within so many of their standard errors: so
+/// loosely that these points count for a twenty-fifth more, and so tightly that no other line takes its place, as one
+/// so steep that the contact begins before the first point and the body is 60 times too stiff. 12 serves as well.
+pub const LOOSELY: f64 = 5.0;
+
 /// The nuisances of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NuisanceTable {
@@ -49,8 +54,9 @@ pub enum Zero {
 pub enum ForceZero {
     /// Nothing: it shows no stretch before the contact.
     Unknown,
-    /// The stretch before the contact is among the points of the fit.
-    InFit,
+    /// The stretch before the contact is among the points of the fit, and its line, if it was subtracted, gives this
+    /// mean and standard deviation, N.
+    InFit(Option<[f64; 2]>),
     /// The stretch before the contact, which is not in the fit, gives this mean and standard deviation, N.
     Measured([f64; 2]),
 }
@@ -199,7 +205,8 @@ impl NuisanceTable {
         if let Some(zero) = zero.filter(|_| self.seeks_force_zero(observe, told)) {
             let prior = |of: &ForceZero| match of {
                 ForceZero::Measured(measured) => Some(*measured),
-                ForceZero::Unknown | ForceZero::InFit => None,
+                ForceZero::InFit(line) => line.map(|[mean, sd]| [mean, LOOSELY * sd]),
+                ForceZero::Unknown => None,
             };
             let priors = match self.force_zero.and_then(Zero::prior) {
                 Some(given) => vec![Some(given)],
