@@ -161,6 +161,30 @@ fn a_reversed_force_and_the_sensitivity_of_a_head_are_understood() {
 }
 
 #[test]
+fn a_retraction_before_the_approach_reverses_no_sign() {
+    let head = "Spring constant (N/m): 0.1\nTip radius (um): 5\nZ (nm)\tForce (nN)\n";
+    let way_in = approach(head, |force| 1e9 * force);
+    let (lines, rows) = (
+        head.lines().count(),
+        way_in.lines().skip(head.lines().count()),
+    );
+    let rows: Vec<&str> = rows.collect();
+    let mut way_out: Vec<String> = rows.iter().rev().map(|row| (*row).to_owned()).collect();
+    // The lowest force of the file is noise far from the contact.
+    way_out[290] = way_out[290].split('\t').next().unwrap().to_owned() + "\t-0.09";
+    let kept = way_in.lines().take(lines).map(str::to_owned);
+    let whole: Vec<String> = (kept.chain(way_out))
+        .chain(rows.iter().map(|row| (*row).to_owned()))
+        .collect();
+    let folder = TestFolder::new();
+    fs::write(folder.path("curve.txt"), whole.join("\n") + "\n").unwrap();
+    let ran = folder.run(&["init", "fit-afm", "--from", "curve.txt"]);
+    assert_eq!(ran.code, Some(0), "{}", ran.stderr);
+    let fit = fs::read_to_string(folder.path("curve.toml")).unwrap();
+    assert!(!fit.contains("-1 nN"), "{fit}");
+}
+
+#[test]
 fn a_loading_of_a_sharp_tip_on_a_hard_body_is_told_to_be_that_of_an_imprint() {
     let loading = cycles(&[8e-3]);
     let loading: String = loading

@@ -26,6 +26,9 @@ const SHALLOW: f64 = 5.0;
 const DOWNWARD: f64 = 3.0;
 /// and is lowest beyond this part of the way.
 const DEEPEST: f64 = 0.8;
+/// Of a cantilever most loads are farther from the lowest than this part of the fall, or it is the noise of a baseline
+/// after a retraction, with which the file begins.
+const FEW_BELOW: f64 = 0.3;
 
 /// What a measured file is found to be.
 #[derive(Debug, Clone)]
@@ -280,6 +283,11 @@ fn reversed_load(raw: &mut RawCurve<'_>) -> Option<Channel> {
         .fold(0.0, f64::max);
     let presses_down = last < 0.0 && first - last > DOWNWARD * (most - first);
     if !presses_down || (end - start).abs() < DEEPEST * travel {
+        return None;
+    }
+    let near = |load: &&(f64, f64)| load.1 - last < FEW_BELOW * (first - last);
+    let has_height = raw.values(Channel::Height).is_some();
+    if has_height && 2 * points.iter().filter(near).count() > points.len() {
         return None;
     }
     let reversed = loads.iter().map(|load| -load).collect();

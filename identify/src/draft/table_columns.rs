@@ -122,7 +122,11 @@ pub(super) fn named(
 }
 
 /// Units of mass in headers of loads, and the weight of one.
-const WEIGHTS: [(&str, &str); 7] = [
+const WEIGHTS: [(&str, &str); 11] = [
+    ("gram", "9.80665 mN"),
+    ("grams", "9.80665 mN"),
+    ("p", "9.80665 mN"),
+    ("pond", "9.80665 mN"),
     ("mg", "9.80665 uN"),
     ("g", "9.80665 mN"),
     ("kg", "9.80665 N"),
@@ -131,6 +135,9 @@ const WEIGHTS: [(&str, &str); 7] = [
     ("kgf", "9.80665 N"),
     ("kp", "9.80665 N"),
 ];
+
+/// Words for a tenth of a nanometre in headers of lengths.
+const ANGSTROMS: [&str; 4] = ["angstrom", "angstroms", "ang", "ångström"];
 
 /// The unit in which instruments mostly write a quantity.
 fn assumed(channel: Channel, head: Option<&HeaderField>) -> &'static str {
@@ -142,6 +149,29 @@ fn assumed(channel: Channel, head: Option<&HeaderField>) -> &'static str {
         Channel::Force => "mN",
         Channel::Time => "s",
         Channel::Stiffness => "N/m",
+        _ if last.is_some_and(|word| ANGSTROMS.contains(&word.to_lowercase().as_str())) => "0.1 nm",
         _ => "nm",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_for_units_are_understood() {
+        for (channel, heading, unit) in [
+            (Channel::Force, "Load (gram)", "9.80665 mN"),
+            (Channel::Force, "Load (p)", "9.80665 mN"),
+            (Channel::Force, "Load", "mN"),
+            (Channel::Depth, "Depth (Angstrom)", "0.1 nm"),
+            (Channel::Depth, "Depth", "nm"),
+        ] {
+            assert_eq!(
+                assumed(channel, Some(&HeaderField::new(heading))),
+                unit,
+                "{heading}"
+            );
+        }
     }
 }
