@@ -93,18 +93,12 @@ fn columns(survey: &Survey) -> Line {
         .columns
         .iter()
         .all(|column| !column.heading.is_empty());
-    let rivals = survey
-        .columns
-        .iter()
-        .filter(|column| !column.rivals.is_empty());
-    let rivals = rivals.map(|column| {
-        let other = |(number, heading): &(usize, String)| format!("{number}, {}", quoted(heading));
-        let others: Vec<_> = column.rivals.iter().map(other).collect();
-        format!(
-            "; the {} may as well be column {}",
-            column.channel.key(),
-            others.join(", or ")
-        )
+    let rivals = survey.columns.iter().filter_map(|column| {
+        let others = column.other_columns()?;
+        Some(format!(
+            "; the {} may as well be column {others}",
+            column.channel.key()
+        ))
     });
     let why = if is_named {
         numbers + &rivals.collect::<String>()

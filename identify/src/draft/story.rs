@@ -33,7 +33,26 @@ impl Group {
             }
         }
         story.extend(self.approach());
+        story.extend(self.doubts());
         story
+    }
+
+    /// What else the file may hold: other tables, other columns of a quantity.
+    fn doubts(&self) -> Vec<String> {
+        let tables = self.survey.tables;
+        let others = (tables > 1).then(|| {
+            format!(
+                "The first of {tables} tables is taken: text.table in [[data]] chooses another."
+            )
+        });
+        let columns = self.survey.columns.iter().filter_map(|column| {
+            let others = column.other_columns()?;
+            Some(format!(
+                "The {} may as well be column {others}.",
+                column.channel.key()
+            ))
+        });
+        others.into_iter().chain(columns).collect()
     }
 
     /// The stretch before the contact.

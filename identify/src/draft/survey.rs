@@ -210,6 +210,7 @@ fn raw(
         segments: Vec::new(),
         markers: Vec::new(),
         rows: read.rows,
+        missing: read.missing,
     })
 }
 

@@ -2,6 +2,7 @@
 
 use super::DraftKind;
 use super::column_guess::{self, ColumnGuess};
+use super::words::quoted;
 use crate::measured::channel::Channel;
 use crate::measured::header::{HeaderField, HeaderUnit};
 use crate::measured::text_options::TextOptions;
@@ -22,6 +23,15 @@ pub(super) struct SurveyedColumn {
     pub(super) unit: SurveyedUnit,
     /// Numbers and headings of other columns that may as well be the quantity.
     pub(super) rivals: Vec<(usize, String)>,
+}
+
+impl SurveyedColumn {
+    /// The other columns that may as well be the quantity, in words; none if there are none.
+    pub(super) fn other_columns(&self) -> Option<String> {
+        let other = |(number, heading): &(usize, String)| format!("{number}, {}", quoted(heading));
+        let others: Vec<_> = self.rivals.iter().map(other).collect();
+        (!others.is_empty()).then(|| others.join(", or "))
+    }
 }
 
 /// The unit of a column.
@@ -136,9 +146,6 @@ const WEIGHTS: [(&str, &str); 11] = [
     ("kp", "9.80665 N"),
 ];
 
-/// Words for a tenth of a nanometre in headers of lengths.
-const ANGSTROMS: [&str; 4] = ["angstrom", "angstroms", "ang", "ångström"];
-
 /// The unit in which instruments mostly write a quantity.
 fn assumed(channel: Channel, head: Option<&HeaderField>) -> &'static str {
     let last = head.and_then(|head| head.text.split([' ', '(', '[', '/', ',']).next_back());
@@ -149,7 +156,6 @@ fn assumed(channel: Channel, head: Option<&HeaderField>) -> &'static str {
         Channel::Force => "mN",
         Channel::Time => "s",
         Channel::Stiffness => "N/m",
-        _ if last.is_some_and(|word| ANGSTROMS.contains(&word.to_lowercase().as_str())) => "0.1 nm",
         _ => "nm",
     }
 }
@@ -164,7 +170,6 @@ mod tests {
             (Channel::Force, "Load (gram)", "9.80665 mN"),
             (Channel::Force, "Load (p)", "9.80665 mN"),
             (Channel::Force, "Load", "mN"),
-            (Channel::Depth, "Depth (Angstrom)", "0.1 nm"),
             (Channel::Depth, "Depth", "nm"),
         ] {
             assert_eq!(

@@ -5,7 +5,7 @@ use pellicle::input::diagnosis::Diagnosis;
 use pellicle::input::dimension::{Dimension, Sign};
 use pellicle::input::value_reader::ValueReader;
 
-use super::before_contact::{BeforeContact, FEWEST_POINTS};
+use super::before_contact::{BeforeContact, FEWEST_POINTS, StretchShape};
 use super::channel::Channel;
 use super::curve_segment::Branch;
 use super::cycles::peaks;
@@ -17,8 +17,8 @@ use super::spring;
 /// The stretch that gives the baseline.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum Baseline {
-    /// The whole stretch before the contact of a cantilever's curve that shows one: its interference and its drift
-    /// give such curves a slope.
+    /// The whole stretch before the contact of a cantilever's curve that shows one, be it bent: its interference and
+    /// its drift give such curves a slope.
     #[default]
     OfCantilever,
     /// Nothing is subtracted.
@@ -36,6 +36,8 @@ pub struct BeforeContactRows {
     pub line: BeforeContact,
     /// Whether the line is subtracted from all forces.
     pub is_subtracted: bool,
+    /// Whether the forces that gave the subtracted line are none.
+    pub is_bent: bool,
     /// The row of the contact's point next to the stretch, from 1: the first one, or the last one of an unloading.
     pub contact_row: usize,
     /// Whether the stretch comes after the contact, as that of an unloading.
@@ -142,12 +144,14 @@ pub(super) fn subtract(
     data: &DataTable,
 ) -> Result<Option<BeforeContactRows>, CurveError> {
     let found = find(raw, rows, data);
-    let shown = || Ok(found.filter(|(_, shown)| *shown).map(|(found, _)| found));
+    let straight = found.filter(|(_, shape)| *shape == StretchShape::Straight);
+    let straight = straight.map(|(found, _)| found);
     let is_of_cantilever = raw.values(Channel::Height).is_some();
+    let is_bent = found.is_some_and(|(_, shape)| shape == StretchShape::Bent);
     let range = match data.baseline {
-        Baseline::Off => return shown(),
-        Baseline::OfCantilever if !is_of_cantilever || shown()?.is_none() => return shown(),
-        Baseline::OfCantilever | Baseline::BeforeContact => None,
+        Baseline::OfCantilever if is_of_cantilever && (straight.is_some() || is_bent) => None,
+        Baseline::Off | Baseline::OfCantilever => return Ok(straight),
+        Baseline::BeforeContact => None,
         Baseline::Between(range) => Some(range),
     };
     let none = CurveError::NoBaseline {
@@ -161,6 +165,7 @@ pub(super) fn subtract(
         found.line = found.line.between(&x, &y, range).ok_or(none)?;
     }
     found.is_subtracted = true;
+    found.is_bent = is_bent && range.is_none();
     let pairs = coordinate.iter().zip(forces);
     let left = pairs
         .map(|(x, force)| force - found.line.force_at(*x))
@@ -172,8 +177,12 @@ pub(super) fn subtract(
     Ok(Some(found))
 }
 
-/// The stretch, and whether it shows itself.
-fn find(raw: &RawCurve<'_>, rows: &[usize], data: &DataTable) -> Option<(BeforeContactRows, bool)> {
+/// The stretch, and what it looks like.
+fn find(
+    raw: &RawCurve<'_>,
+    rows: &[usize],
+    data: &DataTable,
+) -> Option<(BeforeContactRows, StretchShape)> {
     let (coordinate, forces) = curve(raw)?;
     let is_after = data.segment.part == Branch::Unloading;
     let rows: Vec<usize> = match data.segment.part {
@@ -193,10 +202,11 @@ fn find(raw: &RawCurve<'_>, rows: &[usize], data: &DataTable) -> Option<(BeforeC
         is_after,
         contact: line.contact,
         is_subtracted: false,
+        is_bent: false,
         pull_off: depths.fold(0.0, f64::max),
         line,
     };
-    Some((found, line.shows_itself(&x, &y)))
+    Some((found, line.shape(&x, &y)))
 }
 
 /// The rows of the first loading, before which the contact begins.

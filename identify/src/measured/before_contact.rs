@@ -51,6 +51,8 @@ const GUARDS: [f64; 5] = [0.1, 0.2, 0.3, 0.4, 0.5];
 pub(super) const FEWEST_POINTS: usize = 10;
 /// A stretch shows itself if it is at least this fraction of the length in contact,
 const LEAST_LENGTH: f64 = 0.05;
+/// or this one where it is bent, which no power law up to the fourth is with so small a slope;
+const LENGTH_OF_BENT: f64 = 0.5;
 /// flat: its slope below this fraction of the mean slope in contact. A cone rises by less only within a fourteenth of
 /// its depth, a ball within a hundredth. A steeper stretch must fall, or rise by less than half of that slope, as a
 /// punch does not, and be straight beyond doubt: the parabola added to its line, and this many standard errors of it,
@@ -65,6 +67,17 @@ const BEND_ERRORS: f64 = 4.0;
 const DIGITS: f64 = 1e-4;
 /// and if the force in contact is this many times the noise.
 const LEAST_SIGNAL: f64 = 10.0;
+
+/// What a stretch before the contact looks like.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StretchShape {
+    /// A line, for certain.
+    Straight,
+    /// No line, but far from the contact: interference or drift.
+    Bent,
+    /// It may be a contact that begins gently.
+    Unclear,
+}
 
 impl BeforeContact {
     /// Finds the stretch before the contact of a loading; none if there are too few points before the break.
@@ -153,6 +166,12 @@ impl BeforeContact {
     /// Whether the stretch is long, flat and straight enough to be told from a contact that begins gently.
     #[must_use]
     pub fn shows_itself(&self, coordinate: &[f64], forces: &[f64]) -> bool {
+        self.shape(coordinate, forces) == StretchShape::Straight
+    }
+
+    /// What the stretch looks like.
+    #[must_use]
+    pub fn shape(&self, coordinate: &[f64], forces: &[f64]) -> StretchShape {
         let before = &coordinate[..self.first_in_contact];
         let start = before.iter().copied().fold(f64::INFINITY, f64::min);
         let (mut end, mut largest) = (self.contact, f64::NEG_INFINITY);
@@ -160,7 +179,7 @@ impl BeforeContact {
             (end, largest) = (end.max(*x), largest.max(*y));
         }
         let rise = largest - self.force;
-        let is_long = self.ends[1] - start >= LEAST_LENGTH * (end - self.contact);
+        let is_longer = |part: f64| self.ends[1] - start >= part * (end - self.contact);
         let is_below = |part: f64| self.slope * (end - self.contact) <= part * rise;
         let is_straight_beyond_doubt = || {
             let [bend, error] = self.bend(coordinate, forces);
@@ -169,7 +188,13 @@ impl BeforeContact {
         };
         let is_flat = is_below(LARGEST_SLOPE) || is_below(STEEPEST) && is_straight_beyond_doubt();
         let is_clear = rise >= LEAST_SIGNAL * self.noise;
-        is_long && is_flat && is_clear && self.is_straight(coordinate, forces, rise)
+        let is_straight = self.is_straight(coordinate, forces, rise);
+        match is_straight {
+            _ if !is_clear => StretchShape::Unclear,
+            true if is_longer(LEAST_LENGTH) && is_flat => StretchShape::Straight,
+            false if is_longer(LENGTH_OF_BENT) && is_below(LARGEST_SLOPE) => StretchShape::Bent,
+            _ => StretchShape::Unclear,
+        }
     }
 
     /// Whether the stretch is a line, but for its noise.

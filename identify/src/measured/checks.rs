@@ -87,6 +87,12 @@ pub(super) fn warnings(curve: &MeasuredCurve, data: &DataTable) -> Vec<CurveWarn
             format!("{points} points: too few to estimate their noise"),
         );
     }
+    if curve.before_contact.is_some_and(|before| before.is_bent) {
+        let message = "the forces before the contact are no line, as with interference or drift: the line through them is \
+                       subtracted, but the contact and the modulus are uncertain; baseline = { from = .., to = .. } in \
+                       [[data]] takes a part nearer to the contact";
+        warn("bent-baseline", message.into());
+    }
     let left_out = |reason: ExclusionReason| {
         let found = curve.excluded.iter().find(|found| found.reason == reason);
         found.map_or(0, |found| found.count)

@@ -166,6 +166,19 @@ impl ColumnUnit {
             Some((factor, head.unit_text.clone()))
         });
         let (name, example) = (channel.key(), example(channel));
+        if let (None, Some((factor, header)), Some(below)) = (
+            given,
+            &stated,
+            head.and_then(|head| head.other_unit.as_ref()),
+        ) && quantity::one(below, channel.dimension()).ok() != Some(*factor)
+        {
+            let (header, below) = (header.clone(), below.clone());
+            return Err(CurveError::TwoUnits {
+                name,
+                header,
+                below,
+            });
+        }
         match (given, stated) {
             (Some(Self::Value(value)), _) => Ok(*value),
             (Some(Self::Calibration(value, measures, given)), _) => {

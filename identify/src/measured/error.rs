@@ -109,6 +109,19 @@ pub enum CurveError {
         /// The unit in the table of units.
         given: String,
     },
+    /// The file gives two units.
+    #[error(
+        "found {name} in {header} in its heading and in {below} below it, wanted one unit; a bare number in units, the SI \
+         value of a 1 in the file, replaces both"
+    )]
+    TwoUnits {
+        /// The key of the column.
+        name: &'static str,
+        /// The unit in the heading.
+        header: String,
+        /// The unit in the line of units.
+        below: String,
+    },
     /// The name or the unit of the column indicates another quantity.
     #[error(
         "found the column \"{column}\", {found}, wanted one of {wanted}: are the columns swapped?"
@@ -302,7 +315,7 @@ impl CurveError {
             Self::NameTwice { .. } => "column-name-twice",
             Self::ColumnRange { .. } => "column-out-of-range",
             Self::NoUnit { .. } => "no-unit",
-            Self::OtherUnit { .. } => "other-unit",
+            Self::OtherUnit { .. } | Self::TwoUnits { .. } => "other-unit",
             Self::OtherQuantity { .. } => "other-quantity",
             Self::NoCalibration { .. } => "no-calibration",
             Self::GroupedOrDecimal { .. } => "grouped-or-decimal",
@@ -335,7 +348,9 @@ impl CurveError {
             | Self::NameTwice { key, .. }
             | Self::ColumnRange { key, .. } => vec![format!("columns.{key}")],
             Self::NoUnit { name, .. } => vec!["units".into(), format!("columns.{name}")],
-            Self::OtherUnit { name, .. } => vec![format!("units.{name}")],
+            Self::OtherUnit { name, .. } | Self::TwoUnits { name, .. } => {
+                vec![format!("units.{name}")]
+            }
             Self::NoCalibration { name, .. } => {
                 vec![format!("units.{name}"), format!("columns.{name}")]
             }

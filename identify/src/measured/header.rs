@@ -17,7 +17,11 @@ const ELECTRICAL: [(&str, Electrical, f64); 7] = [
 ];
 
 /// Spellings of units in headers that a case file does not have.
-const SPELLINGS: [(&str, &str); 8] = [
+const SPELLINGS: [(&str, &str); 12] = [
+    ("Angstrom", "Å"),
+    ("Angstroms", "Å"),
+    ("angstrom", "Å"),
+    ("angstroms", "Å"),
     ("sec", "s"),
     ("sec.", "s"),
     ("secs", "s"),
@@ -68,6 +72,8 @@ pub struct HeaderField {
     pub unit_text: String,
     /// The kind of unit.
     pub unit: HeaderUnit,
+    /// Another unit in a line of units below.
+    pub other_unit: Option<String>,
 }
 
 impl HeaderField {
@@ -80,6 +86,7 @@ impl HeaderField {
                 name,
                 unit_text: spelling(unit).to_owned(),
                 unit: kind(unit),
+                other_unit: None,
                 text,
             };
         }
@@ -87,6 +94,7 @@ impl HeaderField {
             name: text.clone(),
             unit_text: String::new(),
             unit: HeaderUnit::None,
+            other_unit: None,
             text,
         }
     }
@@ -100,10 +108,15 @@ impl HeaderField {
 
     /// Adds the unit from a line of units.
     pub(super) fn with_unit(mut self, unit: &str) -> Self {
-        let unit = bare(unit);
-        if self.unit == HeaderUnit::None && kind(unit) != HeaderUnit::None {
-            self.unit = kind(unit);
-            spelling(unit).clone_into(&mut self.unit_text);
+        let unit = spelling(bare(unit));
+        match (&self.unit, kind(unit)) {
+            (_, HeaderUnit::None) => {}
+            (HeaderUnit::None, found) => {
+                self.unit = found;
+                unit.clone_into(&mut self.unit_text);
+            }
+            _ if unit == self.unit_text => {}
+            _ => self.other_unit = Some(unit.to_owned()),
         }
         self
     }

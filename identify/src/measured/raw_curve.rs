@@ -1,5 +1,7 @@
 //! The columns of a measurement as numbers in SI units, with every row of the table.
 
+use pellicle::case::map::hole_code::HoleCode;
+
 use super::channel::Channel;
 use super::columns::{ColumnUnit, CurveColumns};
 use super::error::CurveError;
@@ -19,6 +21,8 @@ pub(crate) struct RawCurve<'t> {
     pub(crate) markers: Vec<&'t str>,
     /// Number of rows of the table.
     pub(crate) rows: usize,
+    /// Numbers that stand for missing ones, such as -9999, and are invalid.
+    pub(crate) missing: Vec<(Channel, HoleCode)>,
 }
 
 impl<'t> RawCurve<'t> {
@@ -62,15 +66,23 @@ impl<'t> RawCurve<'t> {
             let fields = table.separator.fields(row);
             let field = |place: usize| fields.get(place).copied().unwrap_or_default();
             numbers.refuse_split(row, &fields)?;
-            for ((place, factor), values) in places.iter().zip(&mut values) {
-                values.push(numbers.read(row, field(*place))? * factor);
+            for ((place, _), values) in places.iter().zip(&mut values) {
+                values.push(numbers.read(row, field(*place))?);
             }
             segments.extend(segment.map(field));
             markers.extend(marker.map(field));
         }
         let channels = columns.channels.iter().map(|(channel, ..)| *channel);
+        let mut channels: Vec<(Channel, Vec<f64>)> = channels.zip(values).collect();
+        let mut missing = Vec::new();
+        for ((channel, values), (_, factor)) in channels.iter_mut().zip(&places) {
+            let codes = invalidated(values);
+            missing.extend(codes.into_iter().map(|code| (*channel, code)));
+            values.iter_mut().for_each(|value| *value *= factor);
+        }
         Ok(Self {
-            channels: channels.zip(values).collect(),
+            channels,
+            missing,
             segments,
             markers,
             rows: table.rows.len(),
@@ -103,6 +115,15 @@ impl<'t> RawCurve<'t> {
         };
         (0..self.rows).filter(is_valid).collect()
     }
+}
+
+/// The numbers that stand for missing ones, which are made invalid.
+pub(crate) fn invalidated(values: &mut [f64]) -> Vec<HoleCode> {
+    let codes = HoleCode::usual_among(values);
+    let is_code = |value: f64| codes.iter().any(|code| code.is_at(value));
+    let missing = values.iter_mut().filter(|value| is_code(**value));
+    missing.for_each(|value| *value = f64::NAN);
+    codes
 }
 
 /// The numbers of the rows of a table.

@@ -76,6 +76,10 @@ impl MeasuredCurve {
         let table = TextTable::find(&decoded.text, &data.text)?;
         let mut raw = RawCurve::read(&table, &data.columns, &data.text)?;
         let mut warnings = of_text(decoded.guessed, &table, data);
+        warnings.extend(raw.missing.iter().map(|(channel, code)| {
+            let message = format!("of the {} {code}; left out", channel.key());
+            CurveWarning::new("missing-code", message)
+        }));
         if let Some(spring) = data.spring_constant {
             warnings.extend(spring.compared_with(&table.stated)?);
             spring::add_penetration(&mut raw, data.height_direction, spring)?;

@@ -11,6 +11,15 @@ use super::text_options::TextOptions;
 /// A run of rows counts as a table if it has at least 1/10 as many rows as the longest run.
 const SHARE_OF_LONGEST: usize = 10;
 
+/// A table whose header is repeated goes on if no number of its next row is farther from that of its last one than this
+/// part of the range of its column, or so many of its last steps; a new test begins anew.
+const GOES_ON: f64 = 0.1;
+const MOST_STEPS: f64 = 2.0;
+/// Most lines between a table and its continuation: a title, the names and the units of its columns.
+const MOST_BETWEEN: usize = 4;
+
+const SAMPLED: usize = 500;
+
 /// A table in a text.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TextTable<'t> {
@@ -77,7 +86,10 @@ impl<'t> TextTable<'t> {
         let run = run.ok_or_else(no_table)?;
         let kept = lines.get(run.start..run.end).unwrap_or_default();
         let columns = kept.first().map_or(0, |row| separator.fields(row).len());
-        let is_row = |line: &&&str| runs.kind(line, columns) != LineKind::Blank;
+        let is_row = |line: &&&str| {
+            let kind = runs.kind(line, columns);
+            matches!(kind, LineKind::Row | LineKind::Broken)
+        };
         Ok(Self {
             separator,
             header: LinesAbove {
@@ -168,6 +180,12 @@ impl RowRuns<'_, '_> {
         for number in start..end {
             let line = self.lines.get(number).copied().unwrap_or_default();
             match (self.kind(line, columns), open) {
+                (LineKind::Row, false) if self.goes_on(runs.last(), number) => {
+                    open = true;
+                    if let Some(run) = runs.last_mut() {
+                        (run.end, run.rows) = (number + 1, run.rows + 1);
+                    }
+                }
                 (LineKind::Row, false) => {
                     open = true;
                     columns = self.separator.fields(line).len();
@@ -187,6 +205,46 @@ impl RowRuns<'_, '_> {
             }
         }
         runs
+    }
+
+    /// Whether a run goes on with the row in this line, behind its own header.
+    fn goes_on(&self, run: Option<&RowRun>, next: usize) -> bool {
+        let Some(run) = run else {
+            return false;
+        };
+        let is_empty = |line: &&&str| line.trim().is_empty();
+        let above = self.lines[..run.start].iter().rev();
+        let Some(header) = above.clone().find(|line| !is_empty(line)) else {
+            return false;
+        };
+        let between = self.lines[run.end..next].iter();
+        let between: Vec<_> = between.filter(|line| !is_empty(line)).collect();
+        if !between.contains(&header) || between.len() > MOST_BETWEEN {
+            return false;
+        }
+        let numbers = |line: &&str| -> Vec<f64> {
+            let fields = self.separator.fields(line).into_iter();
+            let number = |field| self.decimal.number(field).unwrap_or(f64::NAN);
+            fields.map(number).collect()
+        };
+        // A few hundred rows tell the range, and the last two where it goes on and by which steps.
+        let some = (run.start..run.end).step_by(run.rows.div_ceil(SAMPLED));
+        let some = some.chain(run.end.saturating_sub(2)..run.end);
+        let rows: Vec<_> = some.map(|line| numbers(&self.lines[line])).collect();
+        let next = numbers(&self.lines[next]);
+        let goes_on = |(column, number): (usize, &f64)| {
+            let all = || rows.iter().filter_map(|row| row.get(column)).copied();
+            let low = all().fold(f64::INFINITY, f64::min);
+            let high = all().fold(f64::NEG_INFINITY, f64::max);
+            let mut finite = all().rev().filter(|number| number.is_finite());
+            let Some(last) = finite.next() else {
+                return true;
+            };
+            let step = finite.next().map_or(0.0, |before| (last - before).abs());
+            let jump = (number - last).abs();
+            jump.is_nan() || jump <= f64::max(GOES_ON * (high - low), MOST_STEPS * step)
+        };
+        next.len() == rows[0].len() && next.iter().enumerate().all(goes_on)
     }
 
     fn kind(&self, line: &str, columns: usize) -> LineKind {

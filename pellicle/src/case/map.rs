@@ -6,7 +6,7 @@
 //! depths. Without it, heights are in the unit that the file names, or in metres, or in the case's own unit of length.
 //! `interpolation` sets how heights between the samples are found.
 
-mod hole_code;
+pub mod hole_code;
 mod holes;
 pub mod preparation;
 mod repetition;

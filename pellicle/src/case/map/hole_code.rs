@@ -23,6 +23,9 @@ const MOST: f64 = 0.1;
 /// From this size on a number is no height in any usual unit: 1e10 pm is a centimetre.
 const HUGE: f64 = 1e10;
 
+/// From this size on a number is no reading in any unit: 1e30 fN is the weight of a mountain.
+const ABSURD: f64 = 1e30;
+
 /// A value that stands for missing heights, in the unit of the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HoleCode {
@@ -35,6 +38,7 @@ pub struct HoleCode {
 
 impl HoleCode {
     /// The codes among the heights: the usual ones, or a value far from the others.
+    #[must_use]
     pub fn among(heights: &[f64]) -> Vec<Self> {
         let codes = usual(heights, APART);
         if codes.is_empty() {
@@ -44,13 +48,23 @@ impl HoleCode {
         }
     }
 
+    /// The usual codes among the readings of an instrument.
+    #[must_use]
+    pub fn usual_among(readings: &[f64]) -> Vec<Self> {
+        let mut codes = usual(readings, APART);
+        codes.retain(|code| code.value.abs() < HUGE || code.value.abs() >= ABSURD);
+        codes
+    }
+
     /// A value that may be a code, or else a plateau.
+    #[must_use]
     pub fn perhaps_among(heights: &[f64]) -> Option<Self> {
         let usual = usual(heights, BESIDE).into_iter().next();
         usual.or_else(|| outlier(heights, APART))
     }
 
     /// Whether a height is a hole.
+    #[must_use]
     pub fn is_at(self, height: f64) -> bool {
         is_same(self.value, height)
     }
