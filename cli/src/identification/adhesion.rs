@@ -58,8 +58,8 @@ fn no_pull_off(file: &FitFile) -> Diagnosis {
     let key = key.unwrap_or_else(|| "unknown".to_owned());
     let are_retractions = (file.data.iter()).all(|table| table.segment.part == Branch::Unloading);
     let wanted = if are_retractions {
-        "none: no force of the data lies clearly below the baseline, eight standard deviations of its noise and half a \
-         percent of the largest force, so it is not identified"
+        "none: no pull-off in the data, of which no force lies clearly below the baseline, by eight standard deviations \
+         of its noise and half a percent of the largest force, so it is not identified"
     } else {
         "none: no pull-off in the data, so it is not identified. A retraction tells it \
          (segment = { part = \"unloading\" }), whose force falls below zero before the contact breaks"
