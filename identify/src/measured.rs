@@ -21,6 +21,7 @@ pub mod exclusion;
 pub mod header;
 pub mod header_lines;
 pub(crate) mod hysteresis;
+mod jump;
 pub mod noise;
 pub mod omitted;
 pub(crate) mod raw_curve;

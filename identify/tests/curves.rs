@@ -21,6 +21,7 @@ mod exports;
 mod instruments;
 mod invented;
 mod stated;
+mod tables;
 mod tungsten;
 
 /// Reads the curves of one table `[[data]]`, with files in this folder.

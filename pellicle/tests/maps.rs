@@ -4,6 +4,7 @@ mod as_they_come;
 mod edges;
 mod flat;
 mod malformed;
+mod malformed_texts;
 mod outline;
 mod register;
 mod surfaces;

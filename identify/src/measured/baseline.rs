@@ -36,7 +36,7 @@ pub struct BeforeContactRows {
     pub line: BeforeContact,
     /// Whether the line is subtracted from all forces.
     pub is_subtracted: bool,
-    /// Whether the forces that gave the subtracted line are none.
+    /// Whether a line was subtracted from forces that are no line.
     pub is_bent: bool,
     /// The row of the contact's point next to the stretch, from 1: the first one, or the last one of an unloading.
     pub contact_row: usize,

@@ -12,7 +12,7 @@
 //! a baseline runs along it, otherwise the depth. A fit then finds the contact itself; this one only says which points
 //! lie before it.
 
-use super::baseline::is_pull_off;
+use super::jump::Jump;
 use crate::autoregressive::{dependence, persistence};
 use crate::orthonormal_basis::{OrthonormalBasis, dot};
 
@@ -128,7 +128,7 @@ impl BeforeContact {
     }
 
     /// The line through the points of a range before the contact.
-    fn along(
+    pub(super) fn along(
         coordinate: &[f64],
         forces: &[f64],
         (first, contact): (usize, f64),
@@ -163,13 +163,8 @@ impl BeforeContact {
         })
     }
 
-    /// Whether the stretch is long, flat and straight enough to be told from a contact that begins gently.
-    #[must_use]
-    pub fn shows_itself(&self, coordinate: &[f64], forces: &[f64]) -> bool {
-        self.shape(coordinate, forces) == StretchShape::Straight
-    }
-
-    /// What the stretch looks like.
+    /// What the stretch looks like: long, flat and straight enough to be told from a contact that begins gently, or
+    /// not.
     #[must_use]
     pub fn shape(&self, coordinate: &[f64], forces: &[f64]) -> StretchShape {
         let before = &coordinate[..self.first_in_contact];
@@ -228,57 +223,6 @@ impl BeforeContact {
     }
 }
 
-/// The part of the points before the lowest force that are taken to be far from the contact: half of them, or fewer
-/// where a neck stretches over many rows before it breaks.
-const FAR: [usize; 3] = [2, 4, 8];
-
-/// The end of a contact that adhesion holds.
-#[derive(Debug, Clone, Copy)]
-struct Jump {
-    /// The place of the contact's end: the lowest force, far below the line of those far from the contact; the first
-    /// such force where a neck is stretched over more than half of the points before.
-    place: usize,
-    /// The place of the first of the low forces in a row up to the lowest: that of a neck, if there is one.
-    neck: usize,
-}
-
-impl Jump {
-    /// Finds the end; none if the lowest force is not far below the line of the others.
-    fn find(coordinate: &[f64], forces: &[f64]) -> Option<Self> {
-        let lowest = (0..forces.len()).min_by(|a, b| forces[*a].total_cmp(&forces[*b]))?;
-        let largest = forces.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let jump = |part: &usize| {
-            let far = (lowest / part, coordinate[lowest]);
-            let line =
-                BeforeContact::along(coordinate, forces, far, [f64::NEG_INFINITY, f64::INFINITY])?;
-            let deviation = line.noise.hypot(line.force_sd);
-            let holds = |place: usize| {
-                let below = line.force_at(coordinate[place]) - forces[place];
-                is_pull_off(below, deviation, largest - line.force)
-            };
-            // The error of the line is known at the lowest force, and smaller before it.
-            if !holds(lowest) {
-                return None;
-            }
-            let first = (0..lowest).find(|place| holds(*place)).unwrap_or(lowest);
-            Some(if *part == FAR[0] {
-                let free = (0..lowest).rfind(|place| !holds(*place));
-                let neck = free.map_or(0, |free| free + 1);
-                Self {
-                    place: lowest,
-                    neck,
-                }
-            } else {
-                Self {
-                    place: first,
-                    neck: first,
-                }
-            })
-        };
-        FAR.iter().find_map(jump)
-    }
-}
-
 /// The break of a curve in two pieces; none if its second piece does not rise.
 fn contact(x: &[f64], y: &[f64]) -> Option<f64> {
     let last = x.len().checked_sub(3)?;
@@ -311,7 +255,12 @@ fn blocks(values: &[f64]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::baseline::is_pull_off;
     use super::*;
+
+    fn is_shown(found: &BeforeContact, x: &[f64], y: &[f64]) -> bool {
+        found.shape(x, y) == StretchShape::Straight
+    }
 
     /// Forces of a law from a contact at 1 on, over 400 depths up to `end`, with a ripple for noise.
     fn approach(end: f64, exponent: f64, [offset, slope, ripple]: [f64; 3]) -> [Vec<f64>; 2] {
@@ -329,7 +278,7 @@ mod tests {
         for exponent in [1.0, 1.3, 1.5, 2.0] {
             let [x, y] = approach(2.0, exponent, [-3.0, 0.05, 0.02]);
             let found = BeforeContact::find(&x, &y).unwrap();
-            assert!(found.shows_itself(&x, &y), "{exponent}");
+            assert!(is_shown(&found, &x, &y), "{exponent}");
             assert!(
                 (found.contact - 1.0).abs() < 0.08,
                 "{exponent}: {}",
@@ -359,7 +308,7 @@ mod tests {
                     |(i, x): (usize, &f64)| x.powf(exponent) + ripple * (2.4 * i as f64).sin();
                 let y: Vec<f64> = x.iter().enumerate().map(law).collect();
                 let found = BeforeContact::find(&x, &y);
-                let shown = found.is_some_and(|found| found.shows_itself(&x, &y));
+                let shown = found.is_some_and(|found| is_shown(&found, &x, &y));
                 assert!(!shown, "{exponent} {ripple}: {found:?}");
             }
         }
@@ -400,7 +349,7 @@ mod tests {
             (found.noise / (0.2 / 2.0_f64.sqrt()) - 1.0).abs() < 0.1,
             "{found:?}"
         );
-        assert!(found.shows_itself(&x, &y) && is_pull_off(7.5, found.noise, 28.0));
+        assert!(is_shown(&found, &x, &y) && is_pull_off(7.5, found.noise, 28.0));
     }
 
     #[test]
@@ -409,7 +358,7 @@ mod tests {
         for slope in [-0.03, -0.1, -0.3] {
             let [x, y] = approach(2.0, 1.5, [1.0, slope, 0.002]);
             let found = BeforeContact::find(&x, &y).unwrap();
-            assert!(found.shows_itself(&x, &y), "{slope}");
+            assert!(is_shown(&found, &x, &y), "{slope}");
             assert!((found.contact - 1.0).abs() < 0.08, "{slope}: {found:?}");
             assert!((found.slope - slope).abs() < 4.0 * found.slope_sd + 1e-3);
         }
@@ -418,7 +367,7 @@ mod tests {
     #[test]
     fn a_steep_line_shows_itself_if_it_is_straight_beyond_doubt() {
         // A tenth to four tenths of the mean slope of the contact.
-        for (slope, ripple, is_shown) in [
+        for (slope, ripple, wanted) in [
             (0.1, 0.02, true),
             (0.2, 1e-3, true),
             (0.4, 1e-3, true),
@@ -426,7 +375,7 @@ mod tests {
         ] {
             let [x, y] = approach(2.0, 1.5, [1.0, slope, ripple]);
             let found = BeforeContact::find(&x, &y).unwrap();
-            assert_eq!(found.shows_itself(&x, &y), is_shown, "{slope} {ripple}");
+            assert_eq!(is_shown(&found, &x, &y), wanted, "{slope} {ripple}");
         }
     }
 

@@ -118,7 +118,7 @@ impl<'t> RawCurve<'t> {
 }
 
 /// The numbers that stand for missing ones, which are made invalid.
-pub(crate) fn invalidated(values: &mut [f64]) -> Vec<HoleCode> {
+fn invalidated(values: &mut [f64]) -> Vec<HoleCode> {
     let codes = HoleCode::usual_among(values);
     let is_code = |value: f64| codes.iter().any(|code| code.is_at(value));
     let missing = values.iter_mut().filter(|value| is_code(**value));

@@ -13,13 +13,10 @@ pub fn refuse(text: &str, head: usize) -> Result<(), MapError> {
     let mut blocks: Vec<(usize, usize)> = Vec::new();
     let (mut is_apart, mut has_empty) = (true, false);
     let mut empty_within = false;
-    for (line, row) in rows(text).skip(head) {
+    for ((line, row), whole) in rows(text).zip(text.lines()).skip(head) {
         if row.trim().is_empty() {
             is_apart = true;
-            has_empty |= text
-                .lines()
-                .nth(line - 1)
-                .is_some_and(|line| line.trim().is_empty());
+            has_empty |= whole.trim().is_empty();
             continue;
         }
         if is_apart {

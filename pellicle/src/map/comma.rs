@@ -1,4 +1,4 @@
-//! The meaning of commas in a text of heights: separators or decimal marks.
+//! The meaning of commas in a text of heights: separators, decimal marks, or marks of thousands in its head.
 
 use super::error::MapError;
 use super::text::{is_missing, rows};
@@ -89,6 +89,59 @@ pub fn either(text: &str, head: usize) -> Option<String> {
     };
     let may_be_pairs = lines.clone().all(&mut are_pairs) && has_zero;
     (may_be_pairs || count >= MIN_COLUMN_LINES && lines.all(is_either)).then_some(first)
+}
+
+/// What a comma before three digits is.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum ThreeDigits {
+    /// A decimal mark, as in the heights.
+    Decimal,
+    /// A mark of thousands, as the heights have decimal points.
+    Thousands,
+    /// Either: the heights have neither.
+    #[default]
+    Unknown,
+}
+
+impl ThreeDigits {
+    /// What the heights of a text show.
+    pub fn beside(text: &str, head: usize) -> Self {
+        let has = |mark: char| {
+            rows(text).skip(head).any(|(_, row)| {
+                let mut parts = row.split(mark);
+                let digit = |c: char| c.is_ascii_digit();
+                let before = parts.next().is_some_and(|part| part.ends_with(digit));
+                before && parts.next().is_some_and(|part| part.starts_with(digit))
+            })
+        };
+        let marks_decimals = Comma::in_text(text, head) == Comma::DecimalMark;
+        match (has('.'), marks_decimals && has(',')) {
+            (true, _) => Self::Thousands,
+            (false, true) => Self::Decimal,
+            (false, false) => Self::Unknown,
+        }
+    }
+
+    /// A value with a point in place of a decimal comma, `10,00 µm`, and without one of thousands; none if it may be
+    /// either.
+    pub fn with_point(self, value: &str) -> Option<String> {
+        let ends_in_digit = |text: &str| text.ends_with(|c: char| c.is_ascii_digit());
+        let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+        let Some((whole, fraction)) = value.split_once(',') else {
+            return Some(value.to_owned());
+        };
+        let has_others = value.contains('.') || fraction.contains(',');
+        if !ends_in_digit(whole) || digits(fraction) == 0 || has_others {
+            return Some(value.to_owned());
+        }
+        let may_be_thousands =
+            digits(fraction) == 3 && digits(whole) == whole.len() && whole != "0";
+        match self {
+            Self::Thousands if may_be_thousands => Some(format!("{whole}{fraction}")),
+            Self::Unknown if may_be_thousands => None,
+            _ => Some(format!("{whole}.{fraction}")),
+        }
+    }
 }
 
 fn number(line: usize, word: &str) -> Result<f64, MapError> {

@@ -44,7 +44,7 @@ pub enum MapError {
     /// Points that form no grid.
     #[error(transparent)]
     Points(#[from] PointsError),
-    /// Coordinates in the first column or line.
+    /// Coordinates or counts in a column or line at the rim.
     #[error(
         "whose {which} rises or falls in equal steps, as coordinates do, and the next does not: delete it if it is no heights, or let lines \"ncols\" and \"nrows\" above say that it is"
     )]

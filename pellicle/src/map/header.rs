@@ -4,10 +4,10 @@
 //! `nrows 32`, `NODATA_value -9999` those of ESRI; `pixel size = 0.5 um` stands in several others. Above points the
 //! names of their columns may have [units](PointUnits).
 
+use super::comma::ThreeDigits;
 use super::error::MapError;
 use super::map_file::MapFile;
 use super::point_units::PointUnits;
-use super::text::rows;
 use crate::input::dimension::Dimension;
 use crate::input::quantity;
 
@@ -47,36 +47,11 @@ pub struct MapHeader {
     points: Option<PointUnits>,
 }
 
-/// What a comma before three digits is.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-enum ThreeDigits {
-    /// A decimal mark, as in the heights.
-    Decimal,
-    /// A mark of thousands, as the heights have decimal points.
-    Thousands,
-    /// Either: the heights have neither.
-    #[default]
-    Unknown,
-}
-
 impl MapHeader {
     /// The head above the heights of a text, empty.
     pub fn above(text: &str, head: usize) -> Self {
-        let has = |mark: char| {
-            rows(text).skip(head).any(|(_, row)| {
-                let mut parts = row.split(mark);
-                let digit = |c: char| c.is_ascii_digit();
-                let before = parts.next().is_some_and(|part| part.ends_with(digit));
-                before && parts.next().is_some_and(|part| part.starts_with(digit))
-            })
-        };
-        let comma = match (has('.'), has(',')) {
-            (true, _) => ThreeDigits::Thousands,
-            (false, true) => ThreeDigits::Decimal,
-            (false, false) => ThreeDigits::Unknown,
-        };
         Self {
-            comma,
+            comma: ThreeDigits::beside(text, head),
             ..Self::default()
         }
     }
@@ -93,7 +68,7 @@ impl MapHeader {
         let Some((key, value)) = entry(line) else {
             return Ok(());
         };
-        let number = with_point(value, self.comma);
+        let number = self.comma.with_point(value);
         let length = || match &number {
             Some(number) => Ok(quantity::parse(number, Dimension::Length).ok()),
             None => Err(MapError::header(
@@ -239,7 +214,7 @@ impl MapHeader {
     ///
     /// [`MapError::Header`] for a `Height` that is that of the surface and no side.
     pub fn apply(self, map: &mut MapFile) -> Result<(), MapError> {
-        self.check(map.shape)?;
+        self.check(map)?;
         if map.has_one_unit
             && let Some(units) = self.points
         {
@@ -281,8 +256,9 @@ impl MapHeader {
         Ok(())
     }
 
-    /// Checks that counts and sizes agree with a shape.
-    fn check(&self, [columns, lines]: [usize; 2]) -> Result<(), MapError> {
+    /// Checks that counts and sizes agree with a map; counts above points may be those of their table.
+    fn check(&self, map: &MapFile) -> Result<(), MapError> {
+        let [columns, lines] = map.shape;
         let wrong = |key, said: String| MapError::OtherShape {
             key,
             said,
@@ -294,7 +270,7 @@ impl MapHeader {
             .iter()
             .zip([(columns, "columns"), (lines, "rows")])
         {
-            if let Some(told) = told.filter(|told| *told != found) {
+            if let Some(told) = told.filter(|told| *told != found && !map.has_one_unit) {
                 return Err(wrong(key, told.to_string()));
             }
         }
@@ -320,26 +296,6 @@ fn entry(line: &str) -> Option<(String, &str)> {
         _ => key.trim_end_matches('s').to_owned(),
     };
     Some((key, value.trim()))
-}
-
-/// A value with a point in place of a decimal comma, `10,00 µm`, and without one of thousands; none if it may be
-/// either.
-fn with_point(value: &str, comma: ThreeDigits) -> Option<String> {
-    let ends_in_digit = |text: &str| text.ends_with(|c: char| c.is_ascii_digit());
-    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
-    let Some((whole, fraction)) = value.split_once(',') else {
-        return Some(value.to_owned());
-    };
-    let has_others = value.contains('.') || fraction.contains(',');
-    if !ends_in_digit(whole) || digits(fraction) == 0 || has_others {
-        return Some(value.to_owned());
-    }
-    let may_be_thousands = digits(fraction) == 3 && digits(whole) == whole.len() && whole != "0";
-    match comma {
-        ThreeDigits::Thousands if may_be_thousands => Some(format!("{whole}{fraction}")),
-        ThreeDigits::Unknown if may_be_thousands => None,
-        _ => Some(format!("{whole}.{fraction}")),
-    }
 }
 
 fn count(key: &'static str, value: &str) -> Result<usize, MapError> {
@@ -404,9 +360,11 @@ mod tests {
             header.read("Width: 1,024 um").unwrap();
             assert_eq!(header.width, side);
         }
-        let mut header = MapHeader::above("1 2", 0);
-        let message = header.read("Width: 1,024 um").unwrap_err().to_string();
-        assert!(message.contains("mark of thousands"), "{message}");
+        for integers in ["1 2", "1,2"] {
+            let mut header = MapHeader::above(integers, 0);
+            let message = header.read("Width: 1,024 um").unwrap_err().to_string();
+            assert!(message.contains("mark of thousands"), "{message}");
+        }
         assert_eq!(applied(&["Width: 1,024.5 um"]).sides, None);
         assert_eq!(applied(&["Width: 1,024,5 um"]).sides, None);
     }

@@ -66,11 +66,11 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
     let (mut picture, mut columns) = (Vec::new(), 0);
     let mut other_head = None;
     let mut are_alike = true;
-    for (line, row) in rows(text).skip(head) {
+    for ((line, row), whole) in rows(text).zip(text.lines()).skip(head) {
         let before = picture.len();
         comma.read(line, row, &mut picture)?;
         match picture.len() - before {
-            0 if columns > 0 && begins_map(text, line) => {
+            0 if columns > 0 && begins_map(whole) => {
                 other_head.get_or_insert(line);
             }
             0 => {}
@@ -151,9 +151,8 @@ fn unquoted(text: &str) -> Cow<'_, str> {
     parts.map(plain).collect::<String>().into()
 }
 
-/// Whether a comment is a line of the head of a map.
-fn begins_map(text: &str, line: usize) -> bool {
-    let line = text.lines().nth(line - 1).unwrap_or_default();
+/// Whether a line is a comment of the head of a map.
+fn begins_map(line: &str) -> bool {
     line.trim_start().starts_with('#') && MapHeader::has_key(line)
 }
 
@@ -289,8 +288,11 @@ mod tests {
                 ([2, 2], Some("m"))
             );
         }
-        let map = parse(b"x,y,z\n0,0,5\n1,0,6\n0,2,7\n1,2,8\n").unwrap();
-        assert_eq!(map.shape, [2, 2]);
+        // The counts above points are those of their table.
+        for head in ["x,y,z", "Columns: 3\nRows: 4\nx,y,z"] {
+            let points = format!("{head}\n0,0,5\n1,0,6\n0,2,7\n1,2,8\n");
+            assert_eq!(parse(points.as_bytes()).unwrap().shape, [2, 2]);
+        }
     }
 
     #[test]
