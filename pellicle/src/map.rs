@@ -9,6 +9,7 @@
 mod axes;
 mod blocks;
 mod comma;
+mod counts;
 mod error;
 mod grid_lines;
 mod grid_points;

@@ -15,8 +15,8 @@ use pellicle_tests::bytes::{Bench, Reader, readers};
 /// The environment variable that gives another number of damaged files for each reader.
 const VARIABLE: &str = "PELLICLE_DAMAGED_FILES";
 
-/// Damaged files for each reader: a second of processor time for each.
-const FILES: u64 = 4000;
+/// Damaged files for each reader: half a second of processor time for each.
+const FILES: u64 = 2000;
 
 /// Number of bytes shown of a file before which a reader fails.
 const SHOWN: usize = 2000;

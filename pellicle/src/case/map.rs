@@ -78,6 +78,9 @@ pub struct MapCase {
     /// Whether the sides are those of a file that may lack lines.
     #[serde(skip)]
     pub may_be_cut: bool,
+    /// Whether the file calls its heights depths, and they are taken as heights.
+    #[serde(skip)]
+    pub has_upward_depths: bool,
     /// The units; SI if the file names one.
     #[serde(skip)]
     pub units: Units,
@@ -219,6 +222,7 @@ impl MapCase {
             off_grid: file.off_grid,
             has_bare_sides: are_bare,
             may_be_cut: file.may_be_cut && keys.side.is_none() && keys.sides.is_none(),
+            has_upward_depths: file.is_of_depths && height_unit > 0.0,
             units: units(&file),
             heights: Arc::new(heights.with_interpolation(keys.interpolation.into())),
             repeats: None,

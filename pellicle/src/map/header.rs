@@ -5,6 +5,7 @@
 //! names of their columns may have [units](PointUnits).
 
 use super::comma::ThreeDigits;
+use super::counts::Counts;
 use super::error::MapError;
 use super::map_file::MapFile;
 use super::point_units::PointUnits;
@@ -34,9 +35,7 @@ pub struct MapHeader {
     /// Sides of a pixel that the head gives one by one, m.
     pixels: [Option<f64>; 2],
     /// Numbers in a row, and rows.
-    counts: [Option<usize>; 2],
-    /// The same by keys of other programs, which only confirm them.
-    told: [Option<usize>; 2],
+    counts: Counts,
     /// What a comma before three digits is in its numbers, as far as the heights show it.
     comma: ThreeDigits,
     /// Unit of the heights.
@@ -91,13 +90,14 @@ impl MapHeader {
                 self.pixels[axis] = self.pixels[axis].or(length()?);
                 self.cell[axis] = self.cell[axis].or(bare().filter(|cell| *cell > 0.0));
             }
-            "ncols" => self.counts[0] = Some(count("ncols", value)?),
-            "nrows" => self.counts[1] = Some(count("nrows", value)?),
             "nodata value" => self.missing = self.missing.or_else(bare),
             "value unit" | "z unit" | "height unit" | "data unit" if !value.is_empty() => {
                 self.take_unit(value)?;
             }
-            _ => self.tell_counts(&key, value),
+            "scale" | "scale factor" | "height scale" | "zscale" | "multiplier" => {
+                refuse_scale(value, bare())?;
+            }
+            _ => self.counts.read(&key, value)?,
         }
         Ok(())
     }
@@ -117,19 +117,6 @@ impl MapHeader {
         }
     }
 
-    /// Takes a count by a key of another program.
-    fn tell_counts(&mut self, key: &str, value: &str) {
-        const KEYS: [&[&str]; 2] = [
-            &["x pixel", "nx", "xre", "samples/line", "column"],
-            &["y pixel", "ny", "yre", "line", "row"],
-        ];
-        for (keys, told) in KEYS.iter().zip(&mut self.told) {
-            if keys.contains(&key) {
-                *told = value.parse().ok().or(*told);
-            }
-        }
-    }
-
     /// Whether a line has a key of a head.
     pub fn has_key(line: &str) -> bool {
         const KEYS: [&str; 7] = [
@@ -144,53 +131,9 @@ impl MapHeader {
         entry(line).is_some_and(|(key, _)| KEYS.contains(&key.as_str()))
     }
 
-    /// Numbers in a row of the picture: those of each line, or as the head says, however the lines are wrapped.
-    ///
-    /// # Errors
-    ///
-    /// [`MapError::Count`] if there are not as many numbers as the head says, [`MapError::Exchanged`] if all lines are
-    /// alike and as many as there should be numbers on each.
-    pub fn columns(
-        &self,
-        of_lines: usize,
-        numbers: usize,
-        are_alike: bool,
-    ) -> Result<usize, MapError> {
-        let said = match self.counts {
-            [Some(columns), Some(rows)]
-                if are_alike
-                    && columns != rows
-                    && of_lines == rows
-                    && numbers == columns * rows =>
-            {
-                return Err(MapError::Exchanged { columns, rows });
-            }
-            _ if numbers == 0 => return Err(MapError::Empty),
-            [Some(columns), Some(rows)] => columns.checked_mul(rows),
-            [Some(columns), None] => Some(numbers).filter(|all| all.is_multiple_of(columns)),
-            [None, Some(rows)] => of_lines.checked_mul(rows),
-            [None, None] => return Ok(of_lines),
-        };
-        if said == Some(numbers) {
-            return Ok(self.counts[0].unwrap_or(of_lines));
-        }
-        let words = |count: Option<usize>| count.map(|count| count.to_string());
-        let [columns, rows] = self.counts.map(words);
-        let (key, said) = match (columns, rows) {
-            (Some(columns), None) => ("ncols", columns),
-            (None, rows) => ("nrows", rows.unwrap_or_default()),
-            (Some(columns), Some(rows)) => ("ncols", format!("{columns} times nrows {rows}")),
-        };
-        Err(MapError::Count {
-            key,
-            said,
-            found: numbers,
-        })
-    }
-
-    /// Whether the head says how many numbers a row has.
-    pub fn has_columns(&self) -> bool {
-        self.counts[0].is_some()
+    /// What it says of the numbers in a row and of the rows.
+    pub fn counts(&self) -> &Counts {
+        &self.counts
     }
 
     /// Whether the head names columns x, y and z.
@@ -214,7 +157,8 @@ impl MapHeader {
     ///
     /// [`MapError::Header`] for a `Height` that is that of the surface and no side.
     pub fn apply(self, map: &mut MapFile) -> Result<(), MapError> {
-        self.check(map)?;
+        self.counts.check(map)?;
+        self.check_size(map)?;
         if map.has_one_unit
             && let Some(units) = self.points
         {
@@ -232,7 +176,7 @@ impl MapHeader {
                 _ => self.pixel.map(of_pixels),
             },
         };
-        map.may_be_cut = self.width.is_some() && self.height.is_some() && self.counts[1].is_none();
+        map.may_be_cut = self.width.is_some() && self.height.is_some() && !self.counts.has_rows();
         if let (Some([x, y]), Some(height)) = (sides, self.height) {
             let [x, y] = [x / along_x, y / along_y];
             if x.max(y) > LONGEST_PIXEL * x.min(y) {
@@ -256,30 +200,19 @@ impl MapHeader {
         Ok(())
     }
 
-    /// Checks that counts and sizes agree with a map; counts above points may be those of their table.
-    fn check(&self, map: &MapFile) -> Result<(), MapError> {
+    /// Checks that the width agrees with the pixels of a map.
+    fn check_size(&self, map: &MapFile) -> Result<(), MapError> {
         let [columns, lines] = map.shape;
-        let wrong = |key, said: String| MapError::OtherShape {
-            key,
-            said,
-            columns,
-            lines,
-        };
-        for (told, (found, key)) in self
-            .told
-            .iter()
-            .zip([(columns, "columns"), (lines, "rows")])
-        {
-            if let Some(told) = told.filter(|told| *told != found && !map.has_one_unit) {
-                return Err(wrong(key, told.to_string()));
-            }
-        }
         let pixel = self.pixels[0].or(self.pixel);
         if let (Some(width), Some(pixel)) = (self.width, pixel)
             && (width / pixel / columns as f64 - 1.0).abs() > SAME_SIZE
         {
-            let said = format!("{width:e} m and pixel size {pixel:e} m");
-            return Err(wrong("width", said));
+            return Err(MapError::OtherShape {
+                key: "width",
+                said: format!("{width:e} m and pixel size {pixel:e} m"),
+                columns,
+                lines,
+            });
         }
         Ok(())
     }
@@ -298,9 +231,16 @@ fn entry(line: &str) -> Option<(String, &str)> {
     Some((key, value.trim()))
 }
 
-fn count(key: &'static str, value: &str) -> Result<usize, MapError> {
-    let count = value.parse().ok().filter(|count| *count > 0);
-    count.ok_or_else(|| MapError::header(key, value, "a positive number"))
+/// Refuses a factor of the heights: whether it is in them already is not said.
+fn refuse_scale(value: &str, scale: Option<f64>) -> Result<(), MapError> {
+    match scale {
+        Some(scale) if (scale - 1.0).abs() > 0.0 => Err(MapError::header(
+            "scale factor of the heights",
+            value,
+            "heights multiplied by it, without the line",
+        )),
+        _ => Ok(()),
+    }
 }
 
 fn cell(value: &str, cell: Option<f64>) -> Result<f64, MapError> {

@@ -17,6 +17,8 @@ pub struct MapFile {
     pub has_one_unit: bool,
     /// Whether it has a size of its own along both sides, and may lack lines that were not measured.
     pub may_be_cut: bool,
+    /// Whether the file calls its heights depths.
+    pub is_of_depths: bool,
     /// Points x, y, z that are missing on their grid; their heights are NaN, as are those that the file marks as bad.
     pub missing_points: usize,
     /// The largest distance of a point from its place on the grid along x or y, in spacings.
@@ -34,6 +36,7 @@ impl MapFile {
             height_unit: None,
             has_one_unit: false,
             may_be_cut: false,
+            is_of_depths: false,
             missing_points: 0,
             off_grid: 0.0,
         }

@@ -13,7 +13,12 @@ pub struct PointUnits {
     height: Option<String>,
     /// Whether the line names y before x.
     is_exchanged: bool,
+    /// Whether it names the third column a depth.
+    is_of_depths: bool,
 }
+
+/// Names of a column that counts downwards, in small letters.
+const DEPTHS: [&str; 3] = ["depth", "tiefe", "profondeur"];
 
 impl PointUnits {
     /// The units in a line that names columns x, y and a third one, or three units.
@@ -31,8 +36,10 @@ impl PointUnits {
         let found = Self::of_brackets(line)
             .or_else(|| Self::of_units(&words))
             .or_else(|| Self::of_names(&words, places?))?;
+        let is_depth = |word: &&str| DEPTHS.contains(&word.to_lowercase().as_str());
         Some(Self {
             is_exchanged: places.is_some_and(|(x, y)| y < x),
+            is_of_depths: words.iter().any(is_depth),
             ..found
         })
     }
@@ -60,7 +67,7 @@ impl PointUnits {
             [x, y, z] if is_length(x) && is_length(y) => Some(Self {
                 lateral: Some([x, y].map(|unit| (*unit).to_owned())),
                 height: Some((*z).to_owned()),
-                is_exchanged: false,
+                ..Self::default()
             }),
             _ => None,
         }
@@ -81,7 +88,7 @@ impl PointUnits {
         Some(Self {
             lateral: lateral.map(|(x, y)| [owned(x), owned(y)]),
             height: height.map(owned),
-            is_exchanged: false,
+            ..Self::default()
         })
     }
 
@@ -94,6 +101,7 @@ impl PointUnits {
             map.lateral_unit = Some(x);
         }
         map.height_unit = self.height;
+        map.is_of_depths = self.is_of_depths;
     }
 }
 

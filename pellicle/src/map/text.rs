@@ -78,7 +78,7 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
             found if columns == 0 => columns = found,
             found if found == columns => {}
             // As many numbers as the head says may be wrapped anywhere.
-            _ if header.has_columns() => are_alike = false,
+            _ if header.counts().has_columns() => are_alike = false,
             found => {
                 return Err(MapError::Ragged {
                     line,
@@ -88,11 +88,11 @@ pub fn parse(bytes: &[u8]) -> Result<MapFile, MapError> {
             }
         }
     }
-    if columns != 3 && !header.has_columns() {
+    if columns != 3 && !header.counts().has_columns() {
         blocks::refuse(text, head)?;
     }
-    let mut map = match header.columns(columns, picture.len(), are_alike)? {
-        columns if header.has_columns() => MapFile::from_picture(columns, &picture),
+    let mut map = match header.counts().columns(columns, picture.len(), are_alike)? {
+        columns if header.counts().has_columns() => MapFile::from_picture(columns, &picture),
         columns => of_columns(columns, &picture, &header)?,
     };
     header.apply(&mut map)?;

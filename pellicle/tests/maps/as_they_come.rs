@@ -126,6 +126,31 @@ fn scattered_points_are_the_map_of_their_grid_or_refused_but_no_strip() {
 }
 
 #[test]
+fn depths_taken_as_heights_are_told_and_a_factor_of_the_heights_is_refused() {
+    let points = lines(&points(0.0), 1.0);
+    for (name, unit, told) in [
+        ("Depth", "1 nm", true),
+        ("Depth", "-1 nm", false),
+        ("Height", "1 nm", false),
+    ] {
+        let text = format!("X (um)\tY (um)\t{name} (nm)\n{points}");
+        let keys = format!("height_unit = \"{unit}\"");
+        let case = case("m.txt", text.as_bytes(), &keys).unwrap();
+        assert_eq!(
+            codes(&case).contains(&"map-of-depths"),
+            told,
+            "{name} {unit}"
+        );
+    }
+    let keys = "height_unit = \"nm\"\nside = \"6 um\"";
+    let heights = rows(|_| None);
+    let of = |head: &str| case("m.txt", format!("{head}\n{heights}").as_bytes(), keys);
+    assert!(of("Scale factor: 1").is_ok() && of("Z scale: 100 nm").is_ok());
+    let refused = of("# Scale factor: 0.5").unwrap_err();
+    assert!(refused.contains("heights multiplied by it"), "{refused}");
+}
+
+#[test]
 fn three_columns_of_heights_are_said_to_be_such() {
     let strip = lines(&points(0.5), 1.0);
     let case = case(

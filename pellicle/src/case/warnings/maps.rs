@@ -61,6 +61,7 @@ pub(super) fn of(case: &Case, side: f64) -> Vec<CaseWarning> {
     [
         of_kind(&|table, map| coarse(table, map, element_side, case.units)),
         upside_down(case).into_iter().collect(),
+        of_kind(&of_depths),
         of_kind(&filled),
         of_kind(&perhaps_holes),
         of_kind(&off_grid),
@@ -98,6 +99,17 @@ fn upside_down(case: &Case) -> Option<CaseWarning> {
         code: "upside-down",
         message: format!(
             "the map of the indenter, {}, falls towards its ends along x and along y, so its corners press: a tip scanned pointing upwards needs a negative indenter.height_unit, such as \"-1 nm\"",
+            map.file
+        ),
+    })
+}
+
+/// The warning about depths that are taken as heights.
+fn of_depths(table: &str, map: &MapCase) -> Option<CaseWarning> {
+    map.has_upward_depths.then(|| CaseWarning {
+        code: "map-of-depths",
+        message: format!(
+            "the heights of the {table}'s map, {}, are named depths in it and taken as heights, upwards: if they count downwards, give a negative height_unit, such as \"-1 um\"",
             map.file
         ),
     })
@@ -185,15 +197,20 @@ fn in_metres(table: &str, map: &MapCase, side: f64, units: Units) -> Option<Case
     })
 }
 
-/// The warning about an almost flat map; its unit is probably a thousand times too small.
+/// The warning about a flat map, or an almost flat one; its unit is probably a thousand times too small.
 fn flat(table: &str, map: &MapCase, units: Units) -> Option<CaseWarning> {
-    is_flat(map).then(|| CaseWarning {
+    let range = range(map);
+    let doubt = match () {
+        () if is_flat(map) => {
+            let range = quantity(range, Unit::Metre, units);
+            format!("range over {range} only: is height_unit right?")
+        }
+        () if range <= 0.0 => "are all equal: is it the right file?".into(),
+        () => return None,
+    };
+    Some(CaseWarning {
         code: "flat-map",
-        message: format!(
-            "the heights of the {table}'s map, {}, range over {} only: is height_unit right?",
-            map.file,
-            quantity(range(map), Unit::Metre, units)
-        ),
+        message: format!("the heights of the {table}'s map, {}, {doubt}", map.file),
     })
 }
 
