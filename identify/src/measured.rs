@@ -16,6 +16,7 @@ pub(crate) mod cycles;
 pub mod data_table;
 pub mod decimal_mark;
 pub mod depth_step;
+mod end_slopes;
 pub mod error;
 pub mod exclusion;
 pub mod header;

@@ -55,13 +55,14 @@ pub fn write(
     let panels: Vec<UnloadingPanel> = unloadings(of)
         .map(|(file, curve)| panel(file, curve))
         .collect();
-    let mut drawings = Vec::new();
+    let (all, mut drawings) = (panels.len(), Vec::new());
     for (sheet, panels) in panels.chunks(unloading::PANELS).enumerate() {
         let name = match sheet {
             0 => NAME.to_owned(),
             sheet => format!("{NAME}-{}", sheet + 1),
         };
-        let draw = || unloading::draw(title, panels, style);
+        let first = sheet * unloading::PANELS + 1;
+        let draw = || unloading::draw(title, panels, [first, all], style);
         drawings.extend(writer.picture(folder, &name, draw)?);
     }
     Ok(drawings)

@@ -361,6 +361,8 @@ fn unresolved_stresses_and_critical_loads_are_warned_of_by_name() {
     );
     assert_eq!(
         loads,
-        ["critical loads are not resolved by the grid: yield of substrate"]
+        [
+            "critical loads are not resolved by the grid, a finer one may move them: yield of substrate"
+        ]
     );
 }

@@ -64,7 +64,10 @@ impl fmt::Display for UnresolvedStresses {
                 f,
                 "step {step}: stresses are not resolved by the grid: {numbers}"
             ),
-            None => write!(f, "critical loads are not resolved by the grid: {numbers}"),
+            None => write!(
+                f,
+                "critical loads are not resolved by the grid, a finer one may move them: {numbers}"
+            ),
         }
     }
 }
@@ -169,7 +172,7 @@ mod tests {
         assert_eq!(found.code(), "critical-load-not-resolved");
         assert_eq!(
             found.to_string(),
-            "critical loads are not resolved by the grid: tension of layer[0]"
+            "critical loads are not resolved by the grid, a finer one may move them: tension of layer[0]"
         );
         assert_eq!(UnresolvedStresses::of_critical(&loads[..1]), None);
     }

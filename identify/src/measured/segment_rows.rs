@@ -5,6 +5,7 @@ use super::curve::CurveWarning;
 use super::curve_segment::{Branch, CurveSegment, SegmentEnd, Until};
 use super::cycles::{end_of_loading, medians};
 use super::depth_step::DepthStep;
+use super::end_slopes::end_slopes;
 use super::error::CurveError;
 use super::exclusion::ExclusionReason::{
     AfterDepthStep, AfterLargestForce, AfterSegment, BeforeLargestForce, BeforeSegment,
@@ -58,7 +59,10 @@ pub(crate) fn branch(
     keep_value(&mut kept, raw, segment)?;
     keep_between_rows(&mut kept, raw, segment)?;
     if let Some(forces) = raw.values(Channel::Force) {
-        keep_part(&mut kept, forces, segment.part)?;
+        match turn_by_height(&kept.rows, raw, forces) {
+            Some(turn) => keep_beside_turn(&mut kept, turn, segment.part),
+            None => keep_part(&mut kept, forces, segment.part)?,
+        }
     }
     Ok(kept)
 }
@@ -165,6 +169,37 @@ fn marked_row(raw: &RawCurve<'_>, end: &'static str, marker: &str) -> Result<usi
         marker: marker.to_owned(),
         markers: listed(&raw.markers),
     })
+}
+
+/// The first and the last place of the largest height of a cantilever, where the largest force is far from the body:
+/// that of a baseline which falls by more than the contact rises.
+fn turn_by_height(rows: &[usize], raw: &RawCurve<'_>, forces: &[f64]) -> Option<[usize; 2]> {
+    let heights = raw.values(Channel::Height)?;
+    let [heights, forces] = [heights, forces].map(|values| {
+        let of_rows = rows.iter().map(|row| values[*row]);
+        of_rows.collect::<Vec<f64>>()
+    });
+    let (far, near) = range(heights.iter().copied());
+    let (_, peak) = range(forces.iter().copied());
+    let peak = forces.iter().position(|force| *force >= peak)?;
+    let is_far = heights[peak] - far < 0.5 * (near - far);
+    let [line, contact] = end_slopes(&heights, &forces);
+    let is_line = contact > 0.0 && contact > line;
+    let is_near = |height: &f64| *height >= near;
+    let turn = [
+        heights.iter().position(is_near)?,
+        heights.iter().rposition(is_near)?,
+    ];
+    (is_far && is_line).then_some(turn)
+}
+
+fn keep_beside_turn(kept: &mut KeptRows, [first, last]: [usize; 2], part: Branch) {
+    let (start, end) = match part {
+        Branch::Whole => return,
+        Branch::Loading => (0, first + 1),
+        Branch::Unloading => (last, kept.rows.len()),
+    };
+    kept.keep_places(start, end, [BeforeLargestForce, AfterLargestForce]);
 }
 
 /// Keeps the rows up to the first maximum of the force, or from the last one on.

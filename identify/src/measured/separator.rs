@@ -106,7 +106,7 @@ impl Separator {
             if decimal.number(field).is_some() {
                 numbers += 1;
             } else if field.starts_with(|c: char| c.is_ascii_digit() || ",.+".contains(c))
-                && !is_time_of_day(field)
+                && !is_time(field)
             {
                 return false;
             }
@@ -115,10 +115,24 @@ impl Separator {
     }
 }
 
-/// Whether a field is a time of day, perhaps with a date: `10:41:06.5`, `2019-04-29T10:41:06`.
-fn is_time_of_day(field: &str) -> bool {
-    let is_part = |c: char| c.is_ascii_digit() || ":.-/TZ ".contains(c);
-    field.contains(':') && field.chars().all(is_part)
+/// Whether a field is a time of day, a date or both: `10:41:06.5`, `10:41 AM`, `12.03.2018`, `2019-04-29T10:41:06`.
+fn is_time(field: &str) -> bool {
+    let is_part = |c: char| c.is_ascii_digit() || ":.-/TZ APMapm".contains(c);
+    field.contains(':') && field.chars().all(is_part) || is_date(field)
+}
+
+/// Whether a field is a date of three numbers, the middle one of which has at most two digits, unlike thousands.
+fn is_date(field: &str) -> bool {
+    let is_number = |part: &str| part.bytes().all(|c| c.is_ascii_digit());
+    ['.', '/', '-'].into_iter().any(|mark| {
+        let parts: Vec<&str> = field.split(mark).collect();
+        let lengths = [1..=4, 1..=2, 1..=4];
+        parts.len() == lengths.len()
+            && parts
+                .iter()
+                .zip(lengths)
+                .all(|(part, length)| is_number(part) && length.contains(&part.len()))
+    })
 }
 
 #[cfg(test)]
@@ -150,5 +164,16 @@ mod tests {
         assert_eq!(of("1.0, 2.0", Point), Some(Separator::Comma));
         assert_eq!(of("Date: 3", Point), None);
         assert_eq!(of("10:41:06.5,1.0,2.0", Point), Some(Separator::Comma));
+        for times in [
+            "12.03.2018;10:22",
+            "3/12/2018;10:22:07 AM",
+            "2018-03-12 10:22;x",
+            "12.03.18;12-3-2018",
+        ] {
+            let row = format!("{times};1.5;2.5");
+            let found = Separator::of(&[&row], Point);
+            assert_eq!(found, Some((Separator::Semicolon, 1)), "{times}");
+        }
+        assert_eq!(of("1.234.567;1.5;2.5", Point), None);
     }
 }

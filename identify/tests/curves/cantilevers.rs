@@ -2,6 +2,7 @@
 
 use pellicle_identify::measured::exclusion::ExclusionReason;
 
+use super::invented::read;
 use super::{check_ends, codes, excluded, one, refused};
 
 const WORKSHOP: &str = "file = \"fmt-afm-workshop*.csv\"\n";
@@ -139,4 +140,40 @@ fn the_deflection_of_an_optics11_file_gives_the_load_that_it_states() {
         found.contains("found force and deflection, wanted one of them"),
         "{found}"
     );
+}
+
+/// Heights (nm, away) and forces (nN) of an approach and a retraction of 200 rows each: a line that falls by `fall`
+/// over 1400 nm, and a contact over 600 nm that rises by 4 nN.
+fn on_a_falling_line(fall: f64) -> String {
+    let force = |z: f64, i: usize| {
+        let contact = 4.0 * ((z - 1400.0).max(0.0) / 600.0).powf(1.5);
+        contact - fall * z / 1400.0 + 0.01 * (2.4 * i as f64).sin()
+    };
+    let row = |i: usize| {
+        let z = 10.0 * if i < 200 { i } else { 399 - i } as f64;
+        format!("{},{}\n", 9000.0 - z, force(z, i))
+    };
+    (0..400).map(row).collect()
+}
+
+#[test]
+fn the_baseline_of_a_curve_may_fall_by_more_than_its_contact_rises() {
+    for fall in [2.0, 5.0] {
+        for part in ["loading", "unloading"] {
+            let table = format!(
+                "file = \"a.txt\"\ncolumns = {{ height = 1, force = 2 }}\nunits = {{ height = \"nm\", force = \"nN\" }}\n\
+                 spring_constant = \"0.1 N/m\"\nheight_direction = \"away\"\nsegment = {{ part = \"{part}\" }}"
+            );
+            let curve = read(&table, on_a_falling_line(fall).as_bytes()).unwrap();
+            // Of the two rows at the largest height, one or both.
+            assert!(curve.rows.len().abs_diff(200) <= 1, "{fall} {part}");
+            let before = curve.before_contact.expect("a line before the contact");
+            assert!(before.is_subtracted && !before.is_bent, "{fall} {part}");
+            let slope = -fall * 1e-9 / 1400e-9;
+            assert!((before.line.slope / slope - 1.0).abs() < 0.03, "{before:?}");
+            let force = curve.force().unwrap();
+            let most = force.iter().copied().fold(0.0, f64::max);
+            assert!((most / 3.95e-9 - 1.0).abs() < 0.05, "{most}");
+        }
+    }
 }

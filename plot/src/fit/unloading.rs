@@ -43,9 +43,14 @@ pub struct UnloadingPanel {
     pub tangent: [(f64, f64); 2],
 }
 
-/// Draws up to [`PANELS`] curves as SVG.
+/// Draws up to [`PANELS`] curves as SVG: those from `first` on, counted from 1, of `all` curves.
 #[must_use]
-pub fn draw(title: &str, panels: &[UnloadingPanel], style: &Style) -> String {
+pub fn draw(
+    title: &str,
+    panels: &[UnloadingPanel],
+    [first, all]: [usize; 2],
+    style: &Style,
+) -> String {
     let columns = panels.len().clamp(1, COLUMNS);
     let rows = panels.len().div_ceil(COLUMNS).max(1);
     let [wide, high] = [LEFT + WIDE + RIGHT, ABOVE + HIGH + BELOW];
@@ -54,9 +59,13 @@ pub fn draw(title: &str, panels: &[UnloadingPanel], style: &Style) -> String {
         heading::HEIGHT + rows as f64 * high + 8.0,
     );
     if style.heading == Heading::Shown {
+        let which = match panels.len() {
+            shown if shown == all => count(all, "unloading"),
+            1 => format!("unloading {first} of {all}"),
+            shown => format!("unloadings {first} to {} of {all}", first + shown - 1),
+        };
         let numbers = format!(
-            "{}, evaluated by Oliver and Pharr",
-            count(panels.len(), "unloading")
+            "{which} by Oliver and Pharr: points of the fit dark, its law orange, the tangent dashed"
         );
         heading::draw(
             &mut svg,
@@ -133,9 +142,17 @@ mod tests {
             law: vec![(1e-7, 0.0), (2e-7, 5e-3)],
             tangent: [(1.5e-7, 0.0), (2e-7, 5e-3)],
         };
-        let svg = draw("films", &[panel.clone(), panel], &Style::default());
+        let panels = [panel.clone(), panel];
+        let svg = draw("films", &panels, [1, 2], &Style::default());
         assert_eq!(svg.matches("silica.txt").count(), 2);
         assert!(svg.contains("2 unloadings") && svg.contains("E_IT = 72.0 GPa"));
         assert!(svg.contains("depth h"));
+        for (panels, which) in [
+            (&panels[..], "unloadings 3 to 4 of 7"),
+            (&panels[..1], "unloading 3 of 7"),
+        ] {
+            let svg = draw("films", panels, [3, 7], &Style::default());
+            assert!(svg.contains(which), "{svg}");
+        }
     }
 }
