@@ -64,9 +64,7 @@ pub fn draw(
             1 => format!("unloading {first} of {all}"),
             shown => format!("unloadings {first} to {} of {all}", first + shown - 1),
         };
-        let numbers = format!(
-            "{which} by Oliver and Pharr: points of the fit dark, its law orange, the tangent dashed"
-        );
+        let numbers = format!("{which}, evaluated by Oliver and Pharr");
         heading::draw(
             &mut svg,
             LEFT,
